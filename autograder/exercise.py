@@ -1,0 +1,161 @@
+"""The exercise: data about one answer that a student gives. Everything else in the autograder is about exercises."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from course.answers import Question, reply_to
+from course.ladder import Answered
+from course.language import Text
+from course.plain import Plain
+from course.tolerances import ONE_QUANTITY, Tolerance
+
+
+class Group(NamedTuple):
+    """Cases of one kind: the phrase that names them to the student, their share of the score, and the arguments of each.
+
+    `symbols`: the answer is called with SymPy symbols, and the arguments are put into what it returns.
+    """
+
+    name: Text
+    weight: float
+    cases: Sequence[tuple[Plain, ...]]
+    symbols: bool = False
+
+
+class Mistake(NamedTuple):
+    """An executable misconception: a wrong answer that students really give, and what to tell them.
+
+    `wrong` stands alone (NumPy as np, math, SymPy as sp), so that its source can be put into a notebook; its name is the slug.
+    """
+
+    wrong: Callable[..., Any]
+    message: Text
+
+    @property
+    def slug(self) -> str:
+        """Return the name by which results report this mistake."""
+        return self.wrong.__name__
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exercise:
+    """One graded exercise.
+
+    `reference` is the right answer, written independently of the notebook's solution; `also_right` are further rules that the
+    definition leaves open, each accepted as a whole. `cases(rng)` draws groups of inputs afresh. `examples` are the inputs that
+    students may see with their results. `quantities` names what lies side by side in the answer; `gear` is the index of an
+    argument that is a gear ratio; `warnings_are_faults` where the definition says so.
+    """
+
+    name: str
+    notebook: str
+    points: int
+    parameters: tuple[str, ...]
+    reference: Callable[..., Any]
+    cases: Callable[[np.random.Generator], Iterable[Group]]
+    examples: tuple[tuple[Plain, ...], ...]
+    mistakes: tuple[Mistake, ...]
+    also_right: tuple[Callable[..., Any], ...] = ()
+    tolerance: Tolerance = ONE_QUANTITY
+    quantities: tuple[str, ...] = ()
+    gear: int | None = None
+    warnings_are_faults: bool = False
+
+    @property
+    def misconceptions(self) -> tuple[str, ...]:
+        """Return the slugs of the mistakes that are recognised."""
+        return tuple(mistake.slug for mistake in self.mistakes)
+
+    @property
+    def shown(self) -> Plain:
+        """Return the plain data that a graph must show; None for exercises that are no graph."""
+        return None
+
+    @property
+    def answered(self) -> Answered:
+        """Return what the ladder needs to know."""
+        return Answered(
+            self.name,
+            self.parameters,
+            self.tolerance,
+            self.quantities,
+            warnings_are_faults=self.warnings_are_faults,
+            gear=self.gear,
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class GraphExercise:
+    """A graded graph: the student binds a Matplotlib Axes to its name.
+
+    `drawn_from` computes the plain data that the graph must show; `fault` looks at the summary of the Axes (course.figures) and
+    at that data, and returns None or a `GraphFault`. A mistake's function draws the wrong graph from the data and returns its Axes.
+    """
+
+    name: str
+    notebook: str
+    points: int
+    drawn_from: Callable[[], Plain]
+    fault: Callable[[Mapping[str, Plain], Plain], "GraphFault | None"]
+    mistakes: tuple[Mistake, ...] = ()
+
+    @property
+    def misconceptions(self) -> tuple[str, ...]:
+        """Return the slugs of the faults that are recognised."""
+        return tuple(mistake.slug for mistake in self.mistakes)
+
+    @property
+    def shown(self) -> Plain:
+        """Return the plain data that the graph must show."""
+        return self.drawn_from()
+
+
+class GraphFault(NamedTuple):
+    """What is wrong with a graph.
+
+    The rung, the slug of the fault (one of the exercise's misconceptions, or None), what remains of the score, and what to say.
+    """
+
+    rung: str
+    slug: str | None
+    score: float
+    text: Text
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One drawing of an exercise's cases: the groups, the questions in order, and the index of each question's group."""
+
+    groups: tuple[Group, ...]
+    questions: tuple[Question, ...]
+    group_of: tuple[int, ...]
+
+    @property
+    def weights(self) -> np.ndarray:
+        """Return the share of each group in the score; the shares sum to 1."""
+        weights = np.array([group.weight for group in self.groups], dtype=float)
+        return weights / weights.sum()
+
+
+def trial(exercise: Exercise, seed: int) -> Trial:
+    """Draw the cases of `exercise` from `seed`."""
+    groups = tuple(exercise.cases(np.random.default_rng(seed)))
+    questions = tuple(Question(tuple(map(_as_python, case)), group.symbols) for group in groups for case in group.cases)
+    group_of = tuple(index for index, group in enumerate(groups) for _ in group.cases)
+    return Trial(groups, questions, group_of)
+
+
+def _as_python(arg: Plain) -> Plain:
+    """Return NumPy's scalars, which draws leave behind, as Python's numbers."""
+    return arg.item() if isinstance(arg, np.generic) else arg
+
+
+def right_value(rule: Callable[..., Any], question: Question) -> Plain:
+    """Return what a right rule gives, as plain data; it works on numbers, and one that fails is a fault of ours and raises."""
+    reply = reply_to(rule, Question(question.args))
+    if reply.trouble is not None:
+        raise RuntimeError(f"{rule.__module__}.{rule.__name__} raised {reply.trouble.type}: {reply.trouble.message}")
+    return reply.value

@@ -1,0 +1,296 @@
+"""Judging an answer: draw cases, ask, climb the ladder, recognise the mistake, and say one thing about it.
+
+The judge sees an answer only through an `Interview` of plain data, whoever held it: this process, a notebook or the sandbox.
+It never says what was expected, nor which numbers it asked with.
+"""
+
+import secrets
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from autograder.exercise import Exercise, GraphExercise, Group, Mistake, Trial, right_value, trial
+from autograder.reference import exercise_named
+from course.answers import Interview, Question, Reply, Trouble, interview, reply_to
+from course.explaining import explained_missing, explained_not_axes, explained_trouble
+from course.factors import factor_message
+from course.ladder import Answered, Fault, call_fault, entry_fault, names_of_wrong
+from course.language import Text
+from course.plain import Odd, Plain, numeric
+from course.verdict import Verdict
+
+#: puts questions to an answer, wherever it lives, and brings back plain data
+Ask = Callable[[Sequence[Question]], Interview]
+
+_UNANSWERED = Reply(trouble=Trouble("Unanswered", "Unanswered", ""))
+
+
+def judge(name: str, answer: object, seed: int | None = None) -> Verdict:
+    """Judge `answer`, a function or (for graphs) a Matplotlib Axes, as the exercise `name`.
+
+    `seed` repeats a drawing of the cases; None draws afresh. Raises KeyError for an unknown exercise.
+    """
+    return judged_by_name(name, lambda questions: interview(answer, questions), seed)
+
+
+def judged_by_name(name: str, ask: Ask, seed: int | None = None) -> Verdict:
+    """Judge whatever `ask` reaches as the exercise `name`."""
+    return judged(exercise_named(name), ask, seed)
+
+
+def judged(exercise: Exercise | GraphExercise, ask: Ask, seed: int | None = None) -> Verdict:
+    """Judge whatever `ask` reaches as `exercise`."""
+    seed = secrets.randbits(63) if seed is None else seed
+    if isinstance(exercise, GraphExercise):
+        return graph_verdict(exercise, ask(()), seed)
+    drawn = trial(exercise, seed)
+    return verdict(exercise, drawn, ask(drawn.questions), seed)
+
+
+def verdict(exercise: Exercise, drawn: Trial, talk: Interview, seed: int | None = None) -> Verdict:
+    """Return the verdict on one interview that put the questions of `drawn`."""
+    entry = entry_fault(exercise.answered, talk)
+    if entry is not None:
+        return Verdict(exercise.name, 0.0, entry.text, rung=entry.rung, seed=seed)
+    missing = len(drawn.questions) - len(talk.replies)
+    replies = (*talk.replies, *[_UNANSWERED] * missing)[: len(drawn.questions)]
+    expected, faults, score = _best_rule(exercise, drawn, replies)
+    if not any(faults):
+        return Verdict(exercise.name, 1.0, _passed_text(drawn, replies), seed=seed)
+    broken = min((fault for fault in faults if fault is not None), key=lambda fault: fault.height)
+    slug, rung, text = _diagnosis(exercise, drawn, replies, expected, faults, broken)
+    return Verdict(exercise.name, score, text + _standing(drawn, faults), rung=rung, misconception=slug, seed=seed)
+
+
+def graph_verdict(exercise: GraphExercise, talk: Interview, seed: int | None = None) -> Verdict:
+    """Return the verdict on the summary of a graph."""
+    if talk.missing is not None:
+        return Verdict(exercise.name, 0.0, explained_missing(exercise.name, talk.missing), rung="defined", seed=seed)
+    if talk.figure is None:
+        return Verdict(exercise.name, 0.0, explained_not_axes(exercise.name, talk.kind), rung="callable", seed=seed)
+    fault = exercise.fault(talk.figure, exercise.shown)
+    if fault is None:
+        return Verdict(exercise.name, 1.0, _GRAPH_PASSED, seed=seed)
+    return Verdict(exercise.name, min(fault.score, 0.99), fault.text, rung=fault.rung, misconception=fault.slug, seed=seed)
+
+
+def _best_rule(exercise: Exercise, drawn: Trial, replies: Sequence[Reply]) -> tuple[list[Plain], list[Fault | None], float]:
+    """Return (expected values, faults, score) by the right rule that fits best; rules are never mixed."""
+    best: tuple[list[Plain], list[Fault | None], float] | None = None
+    for rule in (exercise.reference, *exercise.also_right):
+        expected = [right_value(rule, question) for question in drawn.questions]
+        faults = [
+            call_fault(exercise.answered, question, right, reply)
+            for question, right, reply in zip(drawn.questions, expected, replies, strict=True)
+        ]
+        score = _score(drawn, faults)
+        if best is None or score > best[2]:
+            best = expected, faults, score
+        if score == 1.0:
+            break
+    assert best is not None
+    return best
+
+
+def _failed_groups(drawn: Trial, faults: Sequence[Fault | None]) -> np.ndarray:
+    failed = np.zeros(len(drawn.groups), dtype=bool)
+    failed[[index for index, fault in zip(drawn.group_of, faults, strict=True) if fault is not None]] = True
+    return failed
+
+
+def _score(drawn: Trial, faults: Sequence[Fault | None]) -> float:
+    failed = _failed_groups(drawn, faults)
+    return 1.0 if not failed.any() else round(float(drawn.weights[~failed].sum()), 4)
+
+
+def _diagnosis(  # noqa: PLR0913 - the whole evidence on one answer
+    exercise: Exercise,
+    drawn: Trial,
+    replies: Sequence[Reply],
+    expected: Sequence[Plain],
+    faults: Sequence[Fault | None],
+    broken: Fault,
+) -> tuple[str | None, str, Text]:
+    """Return (misconception, rung, text): the most useful single thing to say about a wrong answer."""
+    unwritten = next((r.trouble for r in replies if r.trouble is not None and r.trouble.builtin == "NotImplementedError"), None)
+    if unwritten is not None:
+        return None, "runs", explained_trouble(exercise.name, unwritten)
+    mistake = _recognised(exercise, drawn, replies, faults)
+    if mistake is not None:
+        return mistake.slug, broken.rung, mistake.message
+    if broken.rung != "value":
+        return None, broken.rung, broken.text
+    given = [numeric(reply.value) for reply in replies]
+    right = [numeric(value) for value in expected]
+    factor = factor_message(exercise.answered, drawn.questions, given, right)  # type: ignore[arg-type]
+    if factor is not None:
+        return None, "unit", factor
+    return None, "value", _value_text(exercise.answered, given, right, faults)  # type: ignore[arg-type]
+
+
+def _recognised(exercise: Exercise, drawn: Trial, replies: Sequence[Reply], faults: Sequence[Fault | None]) -> Mistake | None:
+    """Return the mistake whose outputs the answer shows, or None.
+
+    Best is one that agrees in all cases; then one that explains every case that failed; then one that explains a quantity that
+    was wrong (two mistakes at once: the first of them is told).
+    """
+    failing = [index for index, fault in enumerate(faults) if fault is not None]
+    wrong = _wrong_quantities(faults)
+    explains_failures, explains_quantity = None, None
+    for mistake in exercise.mistakes:
+        agreement = _agreement(exercise, mistake, drawn, replies, failing)
+        if agreement is None:
+            continue
+        if agreement.all() and _agrees(exercise, mistake, drawn, replies, set(range(len(replies))) - set(failing)):
+            return mistake
+        if agreement.all():
+            explains_failures = explains_failures or mistake
+        elif wrong is not None and len(wrong) == len(agreement) and np.any(agreement & wrong):
+            explains_quantity = explains_quantity or mistake
+    return explains_failures or explains_quantity
+
+
+def _wrong_quantities(faults: Sequence[Fault | None]) -> np.ndarray | None:
+    """Return which quantities were wrong in every failing case, (k,) of bool; None if some case failed before its value."""
+    masks = [fault.wrong for fault in faults if fault is not None]
+    if any(mask is None or len(mask) != len(masks[0]) for mask in masks):  # type: ignore[arg-type]
+        return None
+    return np.all(np.stack(masks), axis=0)  # type: ignore[arg-type]
+
+
+def _agreement(
+    exercise: Exercise, mistake: Mistake, drawn: Trial, replies: Sequence[Reply], indices: Sequence[int]
+) -> np.ndarray | None:
+    """Return for each quantity whether the mistake gives what the answer gave in all these cases; None if it never does."""
+    agreement: np.ndarray | None = None
+    for index in indices:
+        question, reply = drawn.questions[index], replies[index]
+        same = _same_reply(exercise, reply_to(mistake.wrong, question), reply)
+        agreement = same if agreement is None or len(same) != len(agreement) else agreement & same
+        if not agreement.any():
+            return None
+    return agreement
+
+
+def _agrees(exercise: Exercise, mistake: Mistake, drawn: Trial, replies: Sequence[Reply], indices: set[int]) -> bool:
+    agreement = _agreement(exercise, mistake, drawn, replies, sorted(indices))
+    return not indices or (agreement is not None and bool(agreement.all()))
+
+
+_NEVER, _ALWAYS = np.array([False]), np.array([True])
+
+
+def _same_reply(exercise: Exercise, a: Reply, b: Reply) -> np.ndarray:
+    """Return for each quantity whether two replies are alike, (k,) of bool; (1,) where they cannot be told apart by quantity."""
+    if a.trouble is not None or b.trouble is not None:
+        alike = a.trouble is not None and b.trouble is not None and a.trouble.builtin == b.trouble.builtin
+        return _ALWAYS if alike else _NEVER
+    first, second = numeric(a.value), numeric(b.value)
+    if first is None or second is None:
+        return _ALWAYS if _same_oddity(a.value, b.value) else _NEVER
+    if first.shape != second.shape:
+        return _NEVER
+    finite = np.isfinite(first)
+    if not np.array_equal(finite, np.isfinite(second)):
+        return _NEVER
+    return exercise.tolerance.quantities_right(np.where(finite, second, 0.0), np.where(finite, first, 0.0))
+
+
+def _same_oddity(a: Plain, b: Plain) -> bool:
+    """Do two values that are no numbers go wrong in the same way?"""
+    if isinstance(a, Odd) or isinstance(b, Odd):
+        return isinstance(a, Odd) and isinstance(b, Odd) and a.kind == b.kind
+    if isinstance(a, list) and isinstance(b, list):
+        return len(a) == len(b) and all(_same_part(x, y) for x, y in zip(a, b, strict=True))
+    return type(a) is type(b) and a == b
+
+
+def _same_part(a: Plain, b: Plain) -> bool:
+    first, second = numeric(a), numeric(b)
+    if first is None or second is None:
+        return _same_oddity(a, b)
+    return first.shape == second.shape and bool(np.allclose(first, second, rtol=1e-5, atol=1e-9, equal_nan=True))
+
+
+def _names(groups: Sequence[Group]) -> Text:
+    return Text("; ".join(group.name.en for group in groups), "、".join(group.name.ja for group in groups))
+
+
+def _passed_text(drawn: Trial, replies: Sequence[Reply]) -> Text:
+    text = _PASSED.format(groups=_names(drawn.groups))
+    if any(reply.printed for reply in replies):
+        text += _PRINTS
+    warned = next((reply.warned[0] for reply in replies if reply.warned), None)
+    return text if warned is None else text + _WARNS.format(warning=warned)
+
+
+def _standing(drawn: Trial, faults: Sequence[Fault | None]) -> Text:
+    """Return which kinds of input are right and which are not, if there are both."""
+    failed = _failed_groups(drawn, faults)
+    if failed.all():
+        return Text("", "")
+    right = [group for group, bad in zip(drawn.groups, failed, strict=True) if not bad]
+    wrong = [group for group, bad in zip(drawn.groups, failed, strict=True) if bad]
+    return _STANDING.format(right=_names(right), wrong=_names(wrong))
+
+
+def _value_text(
+    answered: Answered, given: Sequence[np.ndarray], right: Sequence[np.ndarray], faults: Sequence[Fault | None]
+) -> Text:
+    """Return what can be said of wrong numbers without giving the right ones: which quantities, and where in a sequence."""
+    names = names_of_wrong(answered, [fault for fault in faults if fault is not None])
+    wrong, fine = (Text(", ".join(part), "、".join(part)) for part in names)
+    if fine.en:
+        text = _SOME_QUANTITIES.format(wrong=wrong, right=fine)
+    elif wrong.en:
+        text = _ALL_QUANTITIES.format(wrong=wrong)
+    else:
+        text = _NUMBERS
+    first = next(index for index, fault in enumerate(faults) if fault is not None)
+    return text + _place(answered.tolerance.entries_right(given[first], right[first]))
+
+
+def _place(entries: np.ndarray) -> Text:
+    """Return where along a sequence the numbers go wrong, if that is telling."""
+    wrong = np.flatnonzero(~entries.all(axis=0))
+    count = entries.shape[1]
+    if count < 3:
+        return Text("", "")
+    if len(wrong) == 1 and wrong[0] in (0, count - 1):
+        return _ONLY_FIRST if wrong[0] == 0 else _ONLY_LAST
+    if wrong[0] == 0:
+        return Text("", "")
+    return _FROM_ENTRY.format(index=int(wrong[0]))
+
+
+_PASSED = Text("Tried with: {groups}.", "確かめた入力: {groups}。")
+_GRAPH_PASSED = Text(
+    "The graph shows the right data, and its axes are labelled.", "グラフのデータも軸ラベルも正しく描けています。"
+)
+_PRINTS = Text(
+    "\nIt also prints something; that costs nothing, but print() is best left out of a finished function.",
+    "\n関数の中で print() をしています。減点はありませんが、完成した関数からは消しておくとよいでしょう。",
+)
+_WARNS = Text(
+    "\nIt warned on the way ({warning}); that costs nothing, but is worth a look.",
+    "\n途中で警告({warning})が出ています。減点はありませんが、一度確認しておきましょう。",
+)
+_STANDING = Text("\nRight already: {right}. Not yet: {wrong}.", "\nできている入力: {right}。まだの入力: {wrong}。")
+_SOME_QUANTITIES = Text(
+    "{wrong} is not right; {right} is. Compare the line that computes {wrong} with the formula, symbol by symbol.",
+    "{wrong} の値が正しくありません({right} は合っています)。{wrong} を計算している行を、式と 1 文字ずつ見比べてみましょう。",
+)
+_ALL_QUANTITIES = Text(
+    "The numbers for {wrong} are not right. Take the first example from the text, compute it by hand, and compare step by step.",
+    "{wrong} の値が正しくありません。本文の最初の例を手で計算して、途中の値を 1 つずつ比べてみましょう。",
+)
+_NUMBERS = Text(
+    "The numbers are not right. Take the first example from the text, compute it by hand, and compare step by step.",
+    "値が正しくありません。本文の最初の例を手で計算して、途中の値を 1 つずつ比べてみましょう。",
+)
+_ONLY_FIRST = Text(" Only the first entry is wrong.", "違っているのは最初の要素だけです。")
+_ONLY_LAST = Text(" Only the last entry is wrong.", "違っているのは最後の要素だけです。")
+_FROM_ENTRY = Text(
+    " The first wrong entry is number {index} (counted from 0); those before it are right.",
+    "最初に違うのは {index} 番目(0 から数えて)の要素で、それより前は合っています。",
+)

@@ -1,0 +1,200 @@
+"""The wire between the judge and the sandbox: framed messages of plain data, nothing that could act.
+
+A frame is two lengths, a JSON text, and the bytes of its arrays. Whoever reads checks every length, type and size before using
+it; anything unexpected raises `WireError`, and the other side is not believed any more.
+"""
+
+import json
+import struct
+from collections.abc import Callable
+from dataclasses import asdict
+from typing import Any, Protocol
+
+import numpy as np
+
+from course.answers import Interview, Missing, Question, Reply, Trouble
+from course.plain import MAX_DEPTH, Odd, Plain
+
+MAX_JSON = 16 * 2**20
+MAX_ARRAYS = 64 * 2**20
+_HEADER = struct.Struct(">4sII")
+_MAGIC = b"DR1\n"
+_DTYPES = frozenset(
+    ("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64", "float16", "float32", "float64")
+)
+
+
+class Stream(Protocol):
+    """What messages are written to."""
+
+    def write(self, data: bytes, /) -> object:
+        """Write all of `data`."""
+
+    def flush(self) -> object:
+        """Send what was written."""
+
+
+class WireError(Exception):
+    """The other side sent something that is not a well-formed message."""
+
+
+def send(stream: Stream, message: dict[str, Any]) -> None:
+    """Write one message; its values are plain data (course.plain) in dictionaries and lists."""
+    blobs: list[bytes] = []
+    text = json.dumps(_packed(message, blobs)).encode()
+    arrays = b"".join(blobs)
+    if len(text) > MAX_JSON or len(arrays) > MAX_ARRAYS:
+        raise WireError("message too large")
+    stream.write(_HEADER.pack(_MAGIC, len(text), len(arrays)) + text + arrays)
+    stream.flush()
+
+
+def receive(read: Callable[[int], bytes]) -> dict[str, Any]:
+    """Read one message. `read(n)` returns exactly n bytes or raises. Raises WireError for anything malformed."""
+    magic, text_size, arrays_size = _HEADER.unpack(read(_HEADER.size))
+    if magic != _MAGIC or text_size > MAX_JSON or arrays_size > MAX_ARRAYS:
+        raise WireError("not a frame, or one that is too large")
+    try:
+        packed = json.loads(read(text_size))
+    except (ValueError, RecursionError) as error:
+        raise WireError(f"not JSON: {error}") from None
+    message = _unpacked(packed, _Arrays(read(arrays_size)), 0)
+    if not isinstance(message, dict):
+        raise WireError("a message is a dictionary")
+    return message
+
+
+class _Arrays:
+    """The array bytes of a frame, handed out once and in order."""
+
+    def __init__(self, data: bytes) -> None:
+        self._data = data
+        self._start = 0
+
+    def take(self, dtype: str, shape: list[int]) -> np.ndarray:
+        if dtype not in _DTYPES or len(shape) > MAX_DEPTH or any(type(n) is not int or not 0 <= n <= MAX_ARRAYS for n in shape):
+            raise WireError("no such array")
+        size = np.dtype(dtype).itemsize
+        for length in shape:
+            size *= length
+        if size > len(self._data) - self._start:
+            raise WireError("array longer than its frame")
+        chunk = self._data[self._start : self._start + size]
+        self._start += size
+        return np.frombuffer(chunk, dtype=dtype).reshape(shape).copy()
+
+
+def _packed(value: Plain, blobs: list[bytes]) -> Any:
+    if isinstance(value, np.ndarray):
+        blobs.append(value.tobytes())
+        return {"@": "array", "dtype": value.dtype.name, "shape": list(value.shape)}
+    if isinstance(value, Odd):
+        return {"@": "odd", "kind": value.kind, "type_name": value.type_name}
+    if isinstance(value, dict):
+        return {"@": "dict", "items": [[str(key), _packed(item, blobs)] for key, item in value.items()]}
+    if isinstance(value, list | tuple):
+        return [_packed(item, blobs) for item in value]
+    return value
+
+
+def _unpacked(value: Any, arrays: _Arrays, depth: int) -> Plain:
+    if depth > 4 * MAX_DEPTH:
+        raise WireError("nested too deeply")
+    if isinstance(value, list):
+        return [_unpacked(item, arrays, depth + 1) for item in value]
+    if not isinstance(value, dict):
+        return value
+    match value:
+        case {"@": "array", "dtype": str(dtype), "shape": list(shape)}:
+            return arrays.take(dtype, shape)
+        case {"@": "odd", "kind": str(kind), "type_name": str(type_name)}:
+            return Odd(kind[:80], type_name[:80])
+        case {"@": "dict", "items": list(items)}:
+            return dict(_item(item, arrays, depth) for item in items)
+    raise WireError("no such kind of value")
+
+
+def _item(item: Any, arrays: _Arrays, depth: int) -> tuple[str, Plain]:
+    match item:
+        case [str(key), inner]:
+            return key, _unpacked(inner, arrays, depth + 1)
+    raise WireError("a dictionary's item is a name and a value")
+
+
+def packed_questions(questions: tuple[Question, ...]) -> list[dict[str, Plain]]:
+    """Return questions as plain data."""
+    return [{"args": list(question.args), "symbols": question.symbols} for question in questions]
+
+
+def unpacked_questions(data: list[dict[str, Plain]]) -> tuple[Question, ...]:
+    """Return the questions that `packed_questions` packed."""
+    return tuple(Question(tuple(item["args"]), item["symbols"]) for item in data)
+
+
+def packed_interview(talk: Interview) -> dict[str, Plain]:
+    """Return an interview as plain data."""
+    return {
+        "missing": None if talk.missing is None else asdict(talk.missing),
+        "kind": talk.kind,
+        "mismatch": None if talk.mismatch is None else list(talk.mismatch),
+        "figure": None if talk.figure is None else dict(talk.figure),
+        "replies": [
+            {
+                "value": reply.value,
+                "trouble": None if reply.trouble is None else asdict(reply.trouble),
+                "inputs": list(reply.inputs),
+                "printed": reply.printed,
+                "warned": list(reply.warned),
+            }
+            for reply in talk.replies
+        ],
+    }
+
+
+def unpacked_interview(data: Plain) -> Interview:
+    """Return the interview in a message from the sandbox; WireError if it is not one."""
+    match data:
+        case {"missing": missing, "kind": str(kind), "mismatch": mismatch, "figure": figure, "replies": list(replies)}:
+            return Interview(
+                missing=_missing(missing),
+                kind=kind[:80],
+                mismatch=_mismatch(mismatch),
+                replies=tuple(map(_reply, replies)),
+                figure=figure if isinstance(figure, dict) else None,
+            )
+    raise WireError("not an interview")
+
+
+def _missing(data: Plain) -> Missing | None:
+    match data:
+        case None:
+            return None
+        case {"reason": str(reason), "where": str(where), "trouble": trouble}:
+            return Missing(reason[:80], where[:80], _trouble(trouble))
+    raise WireError("not a reason for missing")
+
+
+def _mismatch(data: Plain) -> tuple[int, str] | None:
+    match data:
+        case None:
+            return None
+        case [int(count), str(signature)]:
+            return count, signature[:200]
+    raise WireError("not a mismatch")
+
+
+def _trouble(data: Plain) -> Trouble | None:
+    match data:
+        case None:
+            return None
+        case {"type": str(a), "builtin": str(b), "message": str(c), "line": str(d), "line_number": int(e), "function": str(f)}:
+            return Trouble(a[:80], b[:80], c[:500], d[:500], e, f[:80])
+    raise WireError("not a trouble")
+
+
+def _reply(data: Plain) -> Reply:
+    match data:
+        case {"value": value, "trouble": trouble, "inputs": list(inputs), "printed": str(printed), "warned": list(warned)}:
+            texts = tuple(str(text)[:500] for text in warned[:5])
+            return Reply(value, _trouble(trouble), tuple(inputs), printed[:2000], texts)
+    raise WireError("not a reply")

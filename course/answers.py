@@ -1,0 +1,286 @@
+"""Asking an answer: find it, call it with inputs, and bring back plain data. Nothing here knows what is right.
+
+The same functions run in the notebook of a student, in a full clone and inside the grader's sandbox. Whoever judges sees only
+the `Interview` that comes out: names, texts and plain values.
+"""
+
+import ast
+import contextlib
+import difflib
+import inspect
+import io
+import linecache
+import signal
+import sys
+import sysconfig
+import threading
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+
+from course.figures import axes_summary, is_axes
+from course.plain import Plain, as_given, fresh, plain
+
+MAX_PRINTED = 2_000
+MAX_MESSAGE = 500
+MAX_WARNINGS = 5
+TIME_LIMIT = 20.0
+
+_OWN_CODE = (str(Path(__file__).resolve().parent), sysconfig.get_path("stdlib"), sysconfig.get_path("purelib"))
+
+
+@dataclass(frozen=True)
+class Question:
+    """One call: positional arguments as plain data; `symbols`: call it with SymPy symbols, put the numbers in afterwards."""
+
+    args: tuple[Plain, ...]
+    symbols: bool = False
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """An exception as text: its type, the nearest built-in type, its message, and the student's own line."""
+
+    type: str
+    builtin: str
+    message: str
+    line: str = ""
+    line_number: int = 0
+    function: str = ""
+
+
+@dataclass(frozen=True)
+class Reply:
+    """What one call gave: a plain value, or the trouble it ended in; and what it did on the way.
+
+    `inputs` are the arguments as they stood after the call.
+    """
+
+    value: Plain = None
+    trouble: Trouble | None = None
+    inputs: tuple[Plain, ...] = ()
+    printed: str = ""
+    warned: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Missing:
+    """Why there is nothing to call.
+
+    `reason` is "undefined", "nested" (in the function `where`), "similar" (the name `where` exists), "syntax" or "failed"
+    (the cell that defines it ended in `trouble`).
+    """
+
+    reason: str
+    where: str = ""
+    trouble: Trouble | None = None
+
+
+@dataclass(frozen=True)
+class Interview:
+    """Everything that is known of one answer after it was asked.
+
+    `kind` names what the answer is ("function", "axes", or the name of its type); `mismatch` holds the number of arguments that
+    did not fit and the answer's own parameters, when it cannot be called that way at all.
+    """
+
+    missing: Missing | None = None
+    kind: str = "function"
+    mismatch: tuple[int, str] | None = None
+    replies: tuple[Reply, ...] = ()
+    figure: Mapping[str, Plain] | None = None
+    seconds: float = field(default=0.0, compare=False)
+
+
+class TimeUp(BaseException):
+    """Raised inside an answer that takes too long; not an Exception, so that `except Exception` does not swallow it."""
+
+
+def interview(answer: object, questions: Sequence[Question], time_limit: float = TIME_LIMIT) -> Interview:
+    """Ask `answer` all the questions and return what came of it. Stops at the first call that is interrupted or too slow."""
+    if is_axes(answer):
+        return Interview(kind="axes", figure=axes_summary(answer))
+    if not callable(answer):
+        return Interview(kind=type(answer).__name__[:80])
+    for question in questions:
+        mismatch = _signature_mismatch(answer, len(question.args))
+        if mismatch:
+            return Interview(mismatch=mismatch)
+    replies = []
+    with _alarm(time_limit):
+        for question in questions:
+            reply = reply_to(answer, question)
+            replies.append(reply)
+            if reply.trouble is not None and reply.trouble.type in ("KeyboardInterrupt", "TimeUp"):
+                break
+    return Interview(replies=tuple(replies))
+
+
+def reply_to(answer: Any, question: Question) -> Reply:
+    """Put one question to `answer`, with copies of the arguments, and return its reply."""
+    if question.symbols:
+        return _symbolic_reply(answer, question)
+    given = [fresh(arg) for arg in question.args]
+    value, trouble, printed, warned = _called(answer, given)
+    try:
+        after = tuple(as_given(arg) for arg in given)
+        return Reply(plain(value), trouble, after, printed, warned)
+    except Exception as error:  # an object that fails while it is read is an answer that fails
+        return Reply(None, _trouble(error), (), printed, warned)
+
+
+def find(name: str, namespace: Mapping[str, object], cells: Sequence[str] = ()) -> tuple[object, Missing | None]:
+    """Look `name` up in a notebook's namespace; `cells` are the sources run so far, read only to explain its absence.
+
+    Returns (answer, None) or (None, why it is missing).
+    """
+    if name in namespace:
+        return namespace[name], None
+    for source in reversed(cells):
+        if name not in source:
+            continue
+        missing = _missing_in_cell(name, source)
+        if missing:
+            return None, missing
+    own_names = [key for key, value in namespace.items() if not key.startswith("_") and callable(value)]
+    close = difflib.get_close_matches(name, own_names, n=1, cutoff=0.85)
+    return None, Missing("similar", close[0]) if close else Missing("undefined")
+
+
+def _missing_in_cell(name: str, source: str) -> Missing | None:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(source)
+    except SyntaxError as error:
+        return Missing("syntax", trouble=_syntax_trouble(error)) if f"def {name}" in source else None
+    except (ValueError, RecursionError, MemoryError):
+        return None
+    for outer in ast.walk(tree):
+        if isinstance(outer, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            inner = [node for node in ast.walk(outer) if isinstance(node, ast.FunctionDef) and node is not outer]
+            if any(node.name == name for node in inner):
+                return Missing("nested", outer.name[:80])
+    return None
+
+
+def _syntax_trouble(error: SyntaxError) -> Trouble:
+    line = (error.text or "").strip()[:MAX_MESSAGE]
+    return Trouble(type(error).__name__, "SyntaxError", str(error.msg)[:MAX_MESSAGE], line, error.lineno or 0)
+
+
+def _signature_mismatch(answer: Any, count: int) -> tuple[int, str] | None:
+    try:
+        signature = inspect.signature(answer)
+    except (ValueError, TypeError):
+        return None
+    try:
+        signature.bind(*range(count))
+    except TypeError:
+        return count, str(signature)[:200]
+    return None
+
+
+class _Capped(io.TextIOBase):
+    """A text stream that keeps only the beginning of what is written to it."""
+
+    def __init__(self) -> None:
+        self.text = ""
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, text: str) -> int:
+        if len(self.text) < MAX_PRINTED:
+            self.text += text[: MAX_PRINTED - len(self.text)]
+        return len(text)
+
+
+def _called(answer: Any, given: Sequence[object]) -> tuple[object, Trouble | None, str, tuple[str, ...]]:
+    printed = _Capped()
+    value, trouble = None, None
+    with warnings.catch_warnings(record=True) as caught:
+        # filters and NumPy's error state are set here, so that a notebook that silenced them is judged like any other
+        warnings.simplefilter("always")
+        with np.errstate(divide="warn", over="warn", invalid="warn", under="ignore"):
+            try:
+                with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+                    value = answer(*given)
+            except (Exception, KeyboardInterrupt, SystemExit, TimeUp) as error:
+                trouble = _trouble(error)
+    # a set first: a warning inside a loop comes back thousands of times
+    warned = tuple(sorted({f"{item.category.__name__}: {item.message}"[:MAX_MESSAGE] for item in caught[:1000]}))
+    return value, trouble, printed.text, warned[:MAX_WARNINGS]
+
+
+def _trouble(error: BaseException) -> Trouble:
+    builtin = next((base.__name__ for base in type(error).__mro__ if base.__module__ == "builtins"), "Exception")
+    try:
+        message = str(error)[:MAX_MESSAGE]
+    except Exception:
+        message = ""
+    line, number, function = _own_line(error.__traceback__)
+    return Trouble(type(error).__name__[:80], builtin, message, line, number, function)
+
+
+def _own_line(traceback: TracebackType | None) -> tuple[str, int, str]:
+    """Return (source, line number, function) of the deepest frame that is the student's own code."""
+    own = ("", 0, "")
+    while traceback is not None:
+        code = traceback.tb_frame.f_code
+        if not code.co_filename.startswith((*_OWN_CODE, "<frozen", "<__array_function__")):
+            line = linecache.getline(code.co_filename, traceback.tb_lineno).strip()[:200]
+            own = (line, traceback.tb_lineno, code.co_name[:80])
+        traceback = traceback.tb_next
+    return own
+
+
+@contextlib.contextmanager
+def _alarm(seconds: float) -> Iterator[None]:
+    """Raise `TimeUp` in this thread after `seconds`, where the system has such alarms (main thread, not on Windows)."""
+    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def ring(*_: object) -> None:
+        raise TimeUp
+
+    before = signal.signal(signal.SIGALRM, ring)
+    # it rings again every second: an answer with a bare `except:` may swallow the first one
+    signal.setitimer(signal.ITIMER_REAL, seconds, 1.0)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def _symbolic_reply(answer: Any, question: Question) -> Reply:
+    """Call the answer with symbols; then put the numbers into the expressions that it returned."""
+    import sympy
+
+    symbols = sympy.symbols(f"s0:{len(question.args)}", real=True)
+    value, trouble, printed, warned = _called(answer, symbols)
+    if trouble is not None:
+        return Reply(None, trouble, question.args, printed, warned)
+    numbers = {symbol: sympy.Float(number) for symbol, number in zip(symbols, question.args, strict=True)}
+    try:
+        return Reply(plain(_substituted(value, numbers)), None, question.args, printed, warned)
+    except Exception as error:
+        return Reply(None, _trouble(error), question.args, printed, warned)
+
+
+def _substituted(value: object, numbers: Mapping[Any, Any]) -> object:
+    sympy = sys.modules["sympy"]
+    if isinstance(value, sympy.MatrixBase | sympy.Expr):
+        return value.xreplace(numbers).evalf()
+    if isinstance(value, list | tuple):
+        return [_substituted(item, numbers) for item in value]
+    if type(value) is np.ndarray and value.dtype.kind == "O" and value.ndim <= 1:
+        return [_substituted(item, numbers) for item in value.tolist()]
+    return value

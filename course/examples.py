@@ -1,0 +1,117 @@
+"""The public examples: what a check answers from where there is no judge.
+
+`examples.json` is written by `autograder build` from the exercises; it holds only what the notebooks show anyway.
+"""
+
+import json
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from course.answers import Interview, Question
+from course.factors import factor_message
+from course.ladder import Answered, Fault, call_fault, entry_fault
+from course.language import Text
+from course.plain import Plain, numeric
+from course.tolerances import Tolerance
+from course.verdict import Verdict
+
+FILE = Path(__file__).with_name("examples.json")
+
+_PASSED = Text(
+    "{count} public examples are right. The work that you hand in is checked with many more inputs.",
+    "公開例 {count} 個はすべて合っています。提出後の採点では、ほかの入力でも確かめます。",
+)
+_WRONG = Text(
+    "{name}({args}) gives {given}; the example says {expected}.",
+    "{name}({args}) の結果が {given} になっています。公開例では {expected} です。",
+)
+_WHERE = Text("\nThis happens in the example {name}({args}).", "\n例 {name}({args}) でこうなります。")
+
+
+def verdict_from_examples(name: str, ask: Callable[[Sequence[Question]], Interview]) -> Verdict:
+    """Judge an answer by the public examples alone. Raises KeyError for an unknown exercise, with the names there are."""
+    entries = _entries()
+    if name not in entries:
+        raise KeyError(f"no exercise is called {name!r}; there are: {', '.join(entries)}")
+    answered, questions, expected = entries[name]
+    talk = ask(questions)
+    fault = entry_fault(answered, talk)
+    if fault is not None:
+        return Verdict(name, 0.0, fault.text, rung=fault.rung, public=True)
+    for question, right, reply in zip(questions, expected, talk.replies, strict=False):
+        fault = call_fault(answered, question, right, reply)
+        if fault is not None:
+            text = _fault_text(answered, questions, expected, talk, fault)
+            shown = {"name": name, "args": ", ".join(map(shown_value, question.args))}
+            example = _WRONG.format(given=shown_value(reply.value), expected=shown_value(right), **shown)
+            text += example if fault.rung == "value" else _WHERE.format(**shown)
+            return Verdict(name, 0.0, text, rung=fault.rung, public=True)
+    return Verdict(name, 1.0, _PASSED.format(count=len(questions)), public=True)
+
+
+def shown_value(value: Plain) -> str:
+    """Return a value as a reader sees it in an example: short, rounded, without the word array."""
+    array = numeric(value)
+    if array is not None:
+        return np.array2string(array, precision=6, suppress_small=True, separator=", ", threshold=20).replace("\n", "")
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key!r}: {shown_value(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(shown_value, value)) + "]"
+    return str(value)[:200]
+
+
+def stored(value: Plain) -> Any:
+    """Return plain data as JSON can hold it; `restored` turns it back."""
+    if isinstance(value, np.ndarray):
+        return {"array": value.tolist(), "dtype": value.dtype.name}
+    if isinstance(value, dict):
+        return {"dict": {key: stored(item) for key, item in value.items()}}
+    if isinstance(value, list):
+        return [stored(item) for item in value]
+    return value
+
+
+def restored(value: Any) -> Plain:
+    """Return the plain data that `stored` wrote."""
+    if isinstance(value, dict):
+        if "array" in value:
+            return np.array(value["array"], dtype=value["dtype"])
+        return {key: restored(item) for key, item in value["dict"].items()}
+    return [restored(item) for item in value] if isinstance(value, list) else value
+
+
+def _fault_text(
+    answered: Answered, questions: Sequence[Question], expected: Sequence[Plain], talk: Interview, fault: Fault
+) -> Text:
+    if fault.rung != "value":
+        return fault.text
+    given = [numeric(reply.value) for reply in talk.replies]
+    right = [numeric(value) for value in expected]
+    if any(g is None or g.shape != r.shape or not np.isfinite(g).all() for g, r in zip(given, right, strict=False)):  # type: ignore[union-attr]
+        return fault.text
+    factor = factor_message(answered, questions, given, right)  # type: ignore[arg-type]
+    return fault.text if factor is None else factor + Text("\n", "\n")
+
+
+@cache
+def _entries() -> dict[str, tuple[Answered, list[Question], list[Plain]]]:
+    """Return for each exercise what it asks for, the examples' questions, and their results."""
+    return {name: _entry(name, entry) for name, entry in json.loads(FILE.read_text(encoding="utf-8")).items()}
+
+
+def _entry(name: str, entry: dict[str, Any]) -> tuple[Answered, list[Question], list[Plain]]:
+    answered = Answered(
+        name,
+        tuple(entry["parameters"]),
+        Tolerance(entry["axis"], tuple(entry["angles"])),
+        tuple(entry["quantities"]),
+        warnings_are_faults=entry["warnings_are_faults"],
+        gear=entry["gear"],
+    )
+    questions = [Question(tuple(restored(arg) for arg in example["args"])) for example in entry["examples"]]
+    return answered, questions, [restored(example["result"]) for example in entry["examples"]]

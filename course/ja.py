@@ -1,0 +1,8 @@
+"""The Japanese edition: `from course.ja import check`."""
+
+from course.checking import check
+from course.language import use_language
+
+__all__ = ["check"]
+
+use_language("ja")

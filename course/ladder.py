@@ -1,0 +1,188 @@
+"""The ladder of checks that every answer climbs: defined, callable, runs, inputs, shape, unit, value.
+
+It stops at the first rung that breaks. The judge climbs it with cases drawn afresh, a student's bundle with the public examples.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from course.answers import Interview, Question, Reply
+from course.explaining import (
+    explained_kind,
+    explained_mismatch,
+    explained_missing,
+    explained_none,
+    explained_odd,
+    explained_trouble,
+)
+from course.language import Text
+from course.plain import Odd, Plain, identical, numeric
+from course.tolerances import ONE_QUANTITY, Tolerance
+from course.verdict import RUNGS
+
+
+@dataclass(frozen=True)
+class Answered:
+    """What an exercise asks for, as far as the ladder needs to know it.
+
+    `quantities` names what lies side by side in the answer, such as x, y, theta; `parameters` are those of the stub;
+    `gear` is the index of an argument by which students multiply or divide once too often.
+    """
+
+    name: str
+    parameters: tuple[str, ...]
+    tolerance: Tolerance = ONE_QUANTITY
+    quantities: tuple[str, ...] = ()
+    warnings_are_faults: bool = False
+    gear: int | None = None
+
+
+@dataclass(frozen=True)
+class Fault:
+    """The rung at which one call broke, what to say of it, and which quantities were wrong ((k,) of bool, if it came that far)."""
+
+    rung: str
+    text: Text
+    wrong: np.ndarray | None = field(default=None, compare=False)
+
+    @property
+    def height(self) -> int:
+        """Return how high on the ladder the fault sits; lower ones are told first."""
+        return RUNGS.index(self.rung)
+
+
+def entry_fault(answered: Answered, interview: Interview) -> Fault | None:
+    """Return the fault that keeps an answer from being called at all, or None."""
+    name = answered.name
+    if interview.missing is not None:
+        return Fault("defined", explained_missing(name, interview.missing))
+    if interview.kind != "function":
+        return Fault("callable", explained_kind(name, interview.kind))
+    if interview.mismatch is not None:
+        return Fault("callable", explained_mismatch(name, ", ".join(answered.parameters), interview.mismatch))
+    return None
+
+
+def call_fault(answered: Answered, question: Question, expected: Plain, reply: Reply) -> Fault | None:
+    """Return the fault of one call, or None if the reply is right."""
+    if reply.trouble is not None:
+        return Fault("runs", explained_trouble(answered.name, reply.trouble))
+    if not all(map(identical, question.args, reply.inputs)) or len(question.args) != len(reply.inputs):
+        return Fault("inputs", _changed_inputs(answered, question, reply))
+    form = _form_fault(expected, reply)
+    if form is not None:
+        return form
+    if answered.warnings_are_faults and reply.warned:
+        return Fault("runs", _WARNED.format(name=answered.name, warning=reply.warned[0]))
+    given, right = numeric(reply.value), numeric(expected)
+    assert given is not None and right is not None
+    correct = answered.tolerance.quantities_right(given, right)
+    return None if correct.all() else Fault("value", Text("", ""), wrong=~correct)
+
+
+def stands_for_truth(expected: Plain) -> bool:
+    """Is the expected answer True or False? 0 and 1 are the same to a student."""
+    return isinstance(expected, bool) or (isinstance(expected, np.ndarray) and expected.dtype.kind == "b")
+
+
+def _form_fault(expected: Plain, reply: Reply) -> Fault | None:
+    """Return what is wrong with type, shape or finiteness of a reply, or None."""
+    value, right = reply.value, numeric(expected)
+    assert right is not None, "an exercise expects numbers"
+    given = numeric(value)
+    if value is None:
+        return Fault("shape", explained_none(reply.printed))
+    if isinstance(value, Odd):
+        return Fault("shape", explained_odd(value))
+    if isinstance(value, str):
+        return Fault("shape", explained_odd(Odd("text", "str")))
+    if given is None:
+        return Fault("shape", _unlike_numbers(value, right))
+    if given.dtype.kind == "b" and not stands_for_truth(expected):
+        return Fault("shape", _TRUTH)
+    if given.shape != right.shape:
+        return Fault("shape", _SHAPE.format(given=shape_in_words(given.shape), wanted=shape_in_words(right.shape)))
+    if not np.all(np.isfinite(given)):
+        return Fault("shape", _NOT_FINITE.format(what=_not_finite(given)))
+    return None
+
+
+def shape_in_words(shape: tuple[int, ...]) -> Text:
+    """Return a shape as a reader says it: one number, 3 numbers, shape (4, 3)."""
+    if shape == ():
+        return Text("a single number", "数値1個")
+    if len(shape) == 1:
+        return Text(f"shape ({shape[0]},)", f"形状 ({shape[0]},)")
+    return Text(f"shape {shape}", f"形状 {shape}")
+
+
+def _unlike_numbers(value: Plain, right: np.ndarray) -> Text:
+    if isinstance(value, Mapping):
+        return explained_odd(Odd("dict", "dict"))
+    odd = _first_odd(value)
+    if odd is not None:
+        return explained_odd(odd)
+    return _RAGGED.format(wanted=shape_in_words(right.shape))
+
+
+def _first_odd(value: Plain) -> Odd | None:
+    """Return the first thing in nested lists that is no number, or None if they are merely of different lengths."""
+    if isinstance(value, Odd):
+        return value
+    if value is None or isinstance(value, str):
+        return Odd("none" if value is None else "text", type(value).__name__)
+    if isinstance(value, list):
+        return next((odd for odd in map(_first_odd, value) if odd is not None), None)
+    return None
+
+
+def _not_finite(given: np.ndarray) -> str:
+    return "NaN" if np.isnan(given).any() else "inf"
+
+
+def _changed_inputs(answered: Answered, question: Question, reply: Reply) -> Text:
+    pairs = zip(answered.parameters, question.args, reply.inputs, strict=False)
+    changed = [name for name, before, after in pairs if not identical(before, after)]
+    return _CHANGED.format(names=", ".join(changed) or "?")
+
+
+def names_of_wrong(answered: Answered, faults: Sequence[Fault]) -> tuple[list[str], list[str]]:
+    """Return (wrong, right): the quantities that were wrong in some case, and those that were right in all."""
+    masks = [fault.wrong for fault in faults if fault.wrong is not None and len(fault.wrong) == len(answered.quantities)]
+    if not masks:
+        return [], []
+    wrong = np.any(masks, axis=0)
+    names = np.array(answered.quantities, dtype=object)
+    return list(names[wrong]), list(names[~wrong])
+
+
+_WARNED = Text(
+    "{name} gives the right numbers but warns: {warning}. A warning here says that a division by zero was computed and thrown away; "
+    "choose the formula before computing, not afterwards.",
+    "{name} の値は正しいのですが、警告が出ました: {warning}。0 で割った値を計算してから捨てているようです。計算する前に式を選びましょう。",
+)
+_CHANGED = Text(
+    "Your function changes its input ({names}). Whoever calls it still needs the old values, and a second run of the cell gives "
+    "something else. Work on a copy, for example np.array({names}, dtype=float), instead of += on the argument.",
+    "関数が引数({names})を書き換えています。呼び出した側では元の値がまだ必要ですし、セルを再実行すると結果が変わってしまいます。"
+    "引数に直接 += などをせず、np.array({names}, dtype=float) のようにコピーしてから計算しましょう。",
+)
+_TRUTH = Text(
+    "Your function returns True or False where a number is asked for. Look at what the last line returns: is it a comparison?",
+    "数値を返すところで True / False が返っています。return の行が比較式になっていないか確かめてください。",
+)
+_SHAPE = Text(
+    "Your function returns {given}, but {wanted} is asked for with these inputs. Look at the shape in the docstring, and print "
+    "np.shape(...) of what you return.",
+    "戻り値が{given}になっています。この入力では{wanted}が必要です。docstring の形状を見て、戻り値の np.shape(...) を表示してみましょう。",
+)
+_RAGGED = Text(
+    "The parts of what your function returns have different lengths, so that they do not form {wanted}. Print the shape of each part.",
+    "戻り値の各部分の長さがそろっていないため、{wanted}になりません。それぞれの shape を表示して確かめましょう。",
+)
+_NOT_FINITE = Text(
+    "The result contains {what} for some inputs. Look for a division by zero, or a square root or logarithm outside its range.",
+    "入力によって結果に {what} が含まれます。0 での割り算や、定義域の外の平方根・対数がないか調べましょう。",
+)

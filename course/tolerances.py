@@ -1,0 +1,50 @@
+"""How close is right. Every tolerance of the course lives in this module."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+RELATIVE = 1e-5
+ABSOLUTE = 1e-9
+ANGLE = 1e-5
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """|error| <= 1e-9 + 1e-5 * (largest expected magnitude of the same quantity).
+
+    `axis` is the axis of the answer along which different quantities lie side by side (x, y and theta of a pose); None: all
+    entries are one quantity. The entries `angles` along that axis are compared modulo 2 pi, within 1e-5 rad.
+    """
+
+    axis: int | None = None
+    angles: tuple[int, ...] = ()
+
+    def quantities_right(self, given: np.ndarray, expected: np.ndarray) -> np.ndarray:
+        """Return for each quantity whether all of it is right, (k,) of bool."""
+        return np.all(self.entries_right(given, expected), axis=1)
+
+    def entries_right(self, given: np.ndarray, expected: np.ndarray) -> np.ndarray:
+        """Return for each entry whether it is right, (k, n) of bool. Both arrays have the same shape; NaN is never right."""
+        errors = np.abs(self.by_quantity(given) - self.by_quantity(expected))
+        limits = ABSOLUTE + RELATIVE * np.max(np.abs(self.by_quantity(expected)), axis=1, initial=0.0, keepdims=True)
+        for row in self.angles:
+            errors[row] = np.minimum(errors[row] % (2 * np.pi), -errors[row] % (2 * np.pi))
+            limits[row] = ANGLE
+        return errors <= limits
+
+    def by_quantity(self, values: np.ndarray) -> np.ndarray:
+        """Return the values as (k, n) of float64: a row for each quantity."""
+        values = np.asarray(values, dtype=np.float64)
+        if self.axis is None or values.ndim == 0:
+            return values.reshape(1, -1)
+        rows = np.moveaxis(values, self.axis, 0)
+        return rows.reshape(rows.shape[0], -1)
+
+
+#: numbers, or a sequence, of one quantity
+ONE_QUANTITY = Tolerance()
+#: (k,) or (N, k): a pose, a trajectory, a matrix by its columns
+LAST_AXIS = Tolerance(axis=-1)
+#: (k,) or (k, N): a pair of numbers or of arrays, such as (V, omega)
+FIRST_AXIS = Tolerance(axis=0)

@@ -1,0 +1,14 @@
+"""nbgrader's settings for this course; its root is the directory of this file.
+
+nbgrader runs a program of its own, alembic, when it makes a gradebook: put .venv/bin on PATH (`source .venv/bin/activate`).
+"""
+
+c = get_config()  # noqa: F821 - nbgrader puts it here
+
+c.CourseDirectory.course_id = "dead-reckoning"
+# nbgrader knows one release; `autograder build` makes one for each language. The exchange hands out this one.
+c.CourseDirectory.release_directory = "release/ja"
+# nbgrader copies what lies beside a notebook to the students: the sources (*.md) hold the solutions
+c.CourseDirectory.ignore = [".ipynb_checkpoints", "*.pyc", "__pycache__", "feedback", "*.md"]
+# a written answer starts empty, the same in both languages
+c.ClearSolutions.text_stub = ""
