@@ -12,6 +12,7 @@ import jupytext
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
+from autograder.exercise import check_cell
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
 from course.language import LANGUAGES
 
@@ -75,7 +76,7 @@ def _made_from(cell: NotebookNode, language: str) -> list[NotebookNode]:
         return [new_code_cell(source, metadata=tags)]
     name = cell.metadata.exercise
     solution = _nbgrader(name, solution=True)
-    test = _nbgrader(f"check_{name}", grade=True, locked=True, points=exercise_named(name).points)
+    test = _nbgrader(check_cell(name), grade=True, locked=True, points=exercise_named(name).points)
     return [new_code_cell(source, metadata=solution | tags), new_code_cell(f'check("{name}")', metadata=test)]
 
 

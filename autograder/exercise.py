@@ -159,3 +159,13 @@ def right_value(rule: Callable[..., Any], question: Question) -> Plain:
     if reply.trouble is not None:
         raise RuntimeError(f"{rule.__module__}.{rule.__name__} raised {reply.trouble.type}: {reply.trouble.message}")
     return reply.value
+
+
+def check_cell(exercise: str) -> str:
+    """Return the grade id of the locked cell that checks an exercise."""
+    return f"check_{exercise}"
+
+
+def checked_exercise(grade_id: str) -> str:
+    """Return the exercise that a check cell checks."""
+    return grade_id.removeprefix("check_")

@@ -10,6 +10,7 @@ from functools import partial
 from typing import Any
 
 from autograder.executed import executed_notebook, verdict_output
+from autograder.exercise import checked_exercise
 from autograder.intake import Cell, UnreadableError, language_of, restored_cells, submitted_cells
 from autograder.judging import judged
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
@@ -127,7 +128,7 @@ def _run(
                 if cell.type != "code" or cell.source in demos:
                     continue
                 if cell.locked and cell.graded:
-                    name = checked_name(str(cell.grade_id))
+                    name = checked_exercise(str(cell.grade_id))
                     verdict = judged(exercise_named(name), partial(session.ask, name))
                     verdicts[name] = verdict
                     outputs[index] = [verdict_output(verdict, language)]
@@ -136,11 +137,6 @@ def _run(
     except SessionEndedError as error:
         return outputs, verdicts, error.reason
     return outputs, verdicts, None
-
-
-def checked_name(grade_id: str) -> str:
-    """Return the exercise that a check cell checks."""
-    return grade_id.removeprefix("check_")
 
 
 def _results(  # noqa: PLR0913 - one row of the table needs it all

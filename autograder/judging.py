@@ -135,18 +135,20 @@ def _recognised(exercise: Exercise, drawn: Trial, replies: Sequence[Reply], faul
     was wrong (two mistakes at once: the first of them is told).
     """
     failing = [index for index, fault in enumerate(faults) if fault is not None]
+    passing = [index for index, fault in enumerate(faults) if fault is None]
     wrong = _wrong_quantities(faults)
     explains_failures, explains_quantity = None, None
     for mistake in exercise.mistakes:
-        agreement = _agreement(exercise, mistake, drawn, replies, failing)
+        agreement = _agreement(exercise, mistake, drawn, replies, failing, wrong)
         if agreement is None:
             continue
-        if agreement.all() and _agrees(exercise, mistake, drawn, replies, set(range(len(replies))) - set(failing)):
-            return mistake
-        if agreement.all():
-            explains_failures = explains_failures or mistake
-        elif wrong is not None and len(wrong) == len(agreement) and np.any(agreement & wrong):
+        if not agreement.all():
             explains_quantity = explains_quantity or mistake
+            continue
+        elsewhere = _agreement(exercise, mistake, drawn, replies, passing, None)
+        if not passing or (elsewhere is not None and elsewhere.all()):
+            return mistake
+        explains_failures = explains_failures or mistake
     return explains_failures or explains_quantity
 
 
@@ -159,22 +161,28 @@ def _wrong_quantities(faults: Sequence[Fault | None]) -> np.ndarray | None:
 
 
 def _agreement(
-    exercise: Exercise, mistake: Mistake, drawn: Trial, replies: Sequence[Reply], indices: Sequence[int]
+    exercise: Exercise,
+    mistake: Mistake,
+    drawn: Trial,
+    replies: Sequence[Reply],
+    indices: Sequence[int],
+    wrong: np.ndarray | None,
 ) -> np.ndarray | None:
-    """Return for each quantity whether the mistake gives what the answer gave in all these cases; None if it never does."""
+    """Return for each quantity whether the mistake gives what the answer gave in all these cases, (k,) of bool.
+
+    None as soon as it agrees in none of the quantities `wrong`; in not all of them, if `wrong` is None.
+    """
     agreement: np.ndarray | None = None
     for index in indices:
         question, reply = drawn.questions[index], replies[index]
         same = _same_reply(exercise, reply_to(mistake.wrong, question), reply)
         agreement = same if agreement is None or len(same) != len(agreement) else agreement & same
-        if not agreement.any():
+        telling = (
+            agreement.all() if wrong is None or len(wrong) != len(agreement) else (agreement & wrong).any() or agreement.all()
+        )
+        if not telling:
             return None
     return agreement
-
-
-def _agrees(exercise: Exercise, mistake: Mistake, drawn: Trial, replies: Sequence[Reply], indices: set[int]) -> bool:
-    agreement = _agreement(exercise, mistake, drawn, replies, sorted(indices))
-    return not indices or (agreement is not None and bool(agreement.all()))
 
 
 _NEVER, _ALWAYS = np.array([False]), np.array([True])

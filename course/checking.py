@@ -16,7 +16,7 @@ from course.language import chosen_language
 from course.verdict import Verdict
 
 
-class CheckFailed(AssertionError):
+class CheckFailed(AssertionError):  # noqa: N818 - a student reads this name
     """A check that did not pass. It shows as one line instead of a traceback through code that is not the student's."""
 
     def __init__(self, verdict: Verdict, language: str) -> None:
@@ -76,7 +76,7 @@ def _judge_in_reach() -> Callable[[str, Callable[[Sequence[Question]], Interview
 def _notebook(frame: Any) -> tuple[dict[str, object], list[str]]:
     """Return the namespace in which the answer lives, and the cells run so far."""
     ipython = sys.modules.get("IPython")
-    shell = ipython.get_ipython() if ipython is not None else None  # type: ignore[attr-defined]
+    shell = ipython.get_ipython() if ipython is not None else None
     if shell is not None:
         return shell.user_ns, [str(cell) for cell in shell.user_ns.get("In", [])]
     while frame is not None and frame.f_globals.get("__name__", "").startswith("course."):
@@ -87,7 +87,7 @@ def _notebook(frame: Any) -> tuple[dict[str, object], list[str]]:
 def _show(verdict: Verdict) -> None:
     """Display the verdict where there is a notebook; elsewhere the raised error or the returned result carries the text."""
     ipython = sys.modules.get("IPython")
-    if ipython is not None and ipython.get_ipython() is not None:  # type: ignore[attr-defined]
+    if ipython is not None and ipython.get_ipython() is not None:
         from IPython.display import display
 
         language = chosen_language()

@@ -119,7 +119,7 @@ def robot_pose() -> "Figure":
 )
 def one_step() -> "Figure":
     """Draw one step from p1 to p2: distance D, heading theta1, turn dtheta (slides 000, overview 1 and 2)."""
-    axes = new_sketch((-0.6, 6.6), (-0.6, 4.1))
+    axes = new_sketch((-0.6, 6.6), (-0.5, 4.3))
     first, heading, dtheta = 1.3 + 1.15j, 25, 40
     forward = unit_vector(heading)
     second = first + 3.2 * forward

@@ -32,6 +32,13 @@ from course.plain import Odd
 
 MAX_SHOWN = 120
 _MAX_READ = 500
+_NUMERALS = {"no": "0", "one": "1", "two": "2", "three": "3"}
+_AMOUNT = Text("{number}", "{number}個")
+_AMOUNTS = {
+    "least": Text("at least {number}", "{number}個以上"),
+    "most": Text("at most {number}", "{number}個以下"),
+    "from": Text("{least} to {number}", "{least}〜{number}個"),
+}
 
 
 def explained_trouble(name: str, trouble: Trouble) -> Text:
@@ -102,7 +109,7 @@ def _explained(name: str, trouble: Trouble) -> Text:
     values: dict[str, object] = {
         "name": shown(name),
         "type": shown(trouble.type),
-        "message": shown(_without_path(message)),
+        "message": shown(_without_path(message).strip().rstrip(".")),
     }
     for row in ROWS:
         if not {trouble.type, trouble.builtin} & set(row.errors.split()):
@@ -133,6 +140,8 @@ def _in_words(group: str, value: str) -> object:
         return ""
     if group.startswith("type"):
         return _type_in_words(value)
+    if group == "amount":
+        return _amount_in_words(value)
     if group == "shapes":
         return _shapes_in_words(value)
     if group.startswith("shape"):
@@ -146,6 +155,13 @@ def _type_in_words(type_name: str) -> Text:
     bare = type_name.removeprefix("numpy.")
     known = TYPES.get(bare)
     return known or Text("a value of type {name}", "{name}型の値").format(name=shown(bare, 60))
+
+
+def _amount_in_words(amount: str) -> Text:
+    """Return how many arguments a function takes, as in Python's messages: "from 1 to 2", "at least 1", "exactly one", "no"."""
+    words = amount.removeprefix("at ").split() or [amount]
+    least, number = (_NUMERALS.get(word, word) for word in (words[min(1, len(words) - 1)], words[-1]))
+    return _AMOUNTS.get(words[0], _AMOUNT).format(least=shown(least), number=shown(number))
 
 
 def _shapes_in_words(text: str) -> Text:

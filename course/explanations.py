@@ -16,7 +16,7 @@ Found = Callable[[Mapping[str, str]], str | None]
 class Row(NamedTuple):
     """One kind of error: exception names, a regular expression for the message, and what to say in English and in Japanese.
 
-    Named groups are filled into the texts; names that begin with "type", "shape" or "names" are first put into words. `found`
+    Named groups are filled into the texts; "amount" and those that begin with "type", "shape" or "names" are put into words. `found`
     looks something up for `{found}`, and the row does not fit when there is nothing; `line` must be found in the student's line.
     """
 
@@ -39,7 +39,7 @@ def _listed(table: Mapping[str, str], key: str = "{key}") -> Found:
 
 def _nearest(word: str, words: Sequence[str]) -> str | None:
     """Return the one of `words` that `word` is probably a misspelling of."""
-    close = [] if word in words else difflib.get_close_matches(word[:80], words, n=1, cutoff=0.72)
+    close = [] if word in words or len(word) < 4 else difflib.get_close_matches(word[:80], words, n=1, cutoff=0.72)
     return close[0] if close else None
 
 
@@ -232,6 +232,8 @@ _RENAMED = {
     "numpy.sometrue": "np.any",
     "numpy.round_": "np.round",
     "numpy.mat": "np.asarray",
+    "numpy.cosine": "np.cos",
+    "numpy.cosin": "np.cos",
     "numpy.PI": "np.pi",
     "numpy.Pi": "np.pi",
     "numpy.ln": "np.log",
@@ -246,6 +248,8 @@ _RENAMED = {
     "numpy.degree": "np.degrees",
     "numpy.radian": "np.radians",
     "numpy.plot": "plt.plot",
+    "math.cosine": "math.cos",
+    "math.cosin": "math.cos",
     "math.arctan2": "math.atan2",
     "math.arctan": "math.atan",
     "math.arcsin": "math.asin",
@@ -532,9 +536,9 @@ _CALLS = (
     Row(
         "TypeError",
         r"(?:.*<locals>\.)?(?P<function>[\w.<>]+)\(\) missing \d+ required [\w-]+ arguments?: (?P<names>.+)",
-        "{function}() was called without a value for {names}. Count the values in the call: each parameter in the def line "
-        "of {function} needs one, in the same order.",
-        "{function}() の呼び出しに、引数 {names} の値がありません。{function} の def の行と比べて、"
+        "{function}() was called without a value for {names}. Count the values in the call, and compare them with the def "
+        "line or the documentation of {function}: each parameter needs one, in the same order.",
+        "{function}() の呼び出しに、引数 {names} の値がありません。{function} の def の行やドキュメントと比べて、"
         "すべての引数に同じ順番で値を渡しているか数えてみましょう。",
     ),
     Row(
@@ -556,12 +560,17 @@ _CALLS = (
     ),
     Row(
         "TypeError",
-        r"Cannot interpret '(?P<key>[^']*)' as a data type|Field elements must be 2- or 3-tuples, got '(?P<other>[^']*)'|"
-        r"data type '(?P<text>[^']*)' not understood",
+        r"Cannot interpret '(?P<key>[^']*)' as a data type|Field elements must be 2- or 3-tuples, got '(?P<other>[^']*)'",
         "A NumPy function took its second argument for the data type (dtype), which it is not. Shapes and values go "
         "together inside one pair of brackets: np.zeros((2, 3)), np.array([1.0, 2.0]).",
         "NumPyの関数が、2番目の引数をデータ型(dtype)として受け取り、解釈できませんでした。形状や値は、np.zeros((2, 3)) や "
         "np.array([1.0, 2.0]) のように1組のかっこにまとめて渡します。",
+    ),
+    Row(
+        "TypeError",
+        r"data type '(?P<key>[^']*)' not understood",
+        "NumPy knows no data type (dtype) called {key}. For decimal numbers write dtype=float, for whole numbers dtype=int.",
+        "NumPyに {key} というデータ型(dtype)はありません。実数なら dtype=float、整数なら dtype=int と書きましょう。",
     ),
     Row(
         "TypeError",
@@ -573,29 +582,28 @@ _CALLS = (
     ),
     Row(
         "TypeError",
-        r"(?:.*<locals>\.)?(?P<function>[\w.<>]+)\(\) takes (?:from (?P<least>\d+) to |exactly |at least |at most "
-        r")?(?P<count>\w+) (?:positional )?arguments? (?:but (?P<given>\d+) (?:was|were) given|\((?P<given2>\d+) given\))",
-        "{function}() was called with {given}{given2} arguments, but that number does not fit: it takes {count}. Compare "
-        "the call with the def line or the documentation of {function}; perhaps a comma or a pair of brackets is in the "
-        "wrong place.",
-        "{function}() に引数が{given}{given2}個渡されていますが、数が合いません(受け取る数: {count})。{function} の def "
+        r"(?:.*<locals>\.)?(?P<function>[\w.<>]+)\(\) takes (?P<amount>[\w ]+?) (?:positional )?arguments? (?:but |"
+        r"\()(?P<given>\d+) ",
+        "The number of arguments does not fit: {function}() takes {amount}, but the call gives {given}. Compare the call "
+        "with the def line or the documentation of {function}; perhaps a comma or a pair of brackets is in the wrong place.",
+        "引数の数が合いません。{function}() が受け取るのは{amount}ですが、{given}個渡されています。{function} の def "
         "の行やドキュメントと比べましょう。コンマやかっこの位置も確かめてください。",
     ),
     Row(
         "TypeError",
-        r"(?P<function>[\w.]+)(?:\(\))? expected (?:at (?:least|most) )?(?P<count>\d+) arguments?, got (?P<given>\d+)",
-        "{function}() was called with {given} arguments, but that number does not fit: it takes {count}. Compare the call "
+        r"(?P<function>[\w.]+)(?:\(\))? expected (?P<amount>(?:at least |at most )?\d+) arguments?, got (?P<given>\d+)",
+        "The number of arguments does not fit: {function}() takes {amount}, but the call gives {given}. Compare the call "
         "with the documentation of {function}; perhaps a comma or a pair of brackets is in the wrong place.",
-        "{function}() に引数が{given}個渡されていますが、数が合いません(受け取る数: {count})。{function} "
+        "引数の数が合いません。{function}() が受け取るのは{amount}ですが、{given}個渡されています。{function} "
         "のドキュメントと比べましょう。コンマやかっこの位置も確かめてください。",
     ),
     Row(
         "TypeError",
         r"takes (?:no|exactly \w+|at \w+ \w+|\d+) (?:positional |keyword )?arguments?|must have at least \w+ arguments|"
         r"expected \d+ arguments?, got \d+",
-        "A function was called with a number of arguments that does not fit: {message}. Compare the call in this line with "
+        "A function was called with arguments that do not fit: {message}. Compare the call in this line with "
         "the def line or the documentation of that function.",
-        "関数に渡した引数の数が合いません: {message}。この行の呼び出しを、その関数の def の行やドキュメントと比べましょう。",
+        "関数に渡した引数が合いません: {message}。この行の呼び出しを、その関数の def の行やドキュメントと比べましょう。",
     ),
     Row(
         "TypeError AttributeError",
@@ -782,7 +790,7 @@ _OPERATORS = (
     ),
     Row(
         "TypeError",
-        r"can only concatenate str \(not \"(?P<type1>[^\"]*)\"\) to str|must be str, not (?P<type2>\w+)",
+        r"can only concatenate str \(not \"(?P<type1>[^\"]*)\"\) to str|^must be str, not (?P<type2>\w+)",
         "A text and {type1}{type2} are joined with +. If you want to calculate, turn the text into a number with "
         "float(...); if you want to print, separate the two with a comma.",
         "文字列に{type1}{type2}を + で足しています。計算するなら float(...) で数値に直し、表示するだけなら print "
@@ -1028,7 +1036,7 @@ _NUMBERS_WANTED = (
     Row(
         "TypeError",
         r"cannot determine truth value of Relational",
-        "An if (or max, min, abs of a comparison) was given a SymPy symbol: whether it is true is not known before the "
+        "An if, max or min was given a SymPy symbol: whether it is true is not known before the "
         "symbol has a value. Write the formula without if, or use sp.Piecewise.",
         "SymPyの記号を if(または max や min)で比較しています。記号に値が入るまで、真偽は決まりません。if を"
         "使わない式にするか、sp.Piecewise を使いましょう。",
@@ -1079,6 +1087,14 @@ _NUMBERS_WANTED = (
         "A {key} is indexed with [i, j]; that works for arrays only. Write a[i][j], or make an array of it first: np.asarray(a).",
         "リスト(list)やタプル(tuple)に [i, j] という添字を使っています。この書き方ができるのは配列だけです。a[i][j] "
         "と書くか、先に np.asarray(a) で配列にしましょう。",
+    ),
+    Row(
+        "TypeError",
+        r"(?:list|tuple|string|str) indices must be integers(?: or slices)?, not '?str\b",
+        "An index in quotation marks stands behind something that is not a dictionary. A list or a tuple takes whole "
+        "numbers, a[0]. Print type(...) of what stands before the [: is it the dictionary that you expect?",
+        "辞書ではないものに、引用符付きの添字を使っています。リストやタプルの添字は a[0] のように整数です。[ "
+        "の前にあるものの type(...) を print し、思ったとおりの辞書か確かめましょう。",
     ),
     Row(
         "TypeError",
@@ -1183,9 +1199,9 @@ _VALUES = (
     Row(
         "ValueError",
         r"Matrix size mismatch: (?P<shape1>\([^)]*\)) (?P<op>\S) (?P<shape2>\([^)]*\))",
-        "Two SymPy matrices do not fit together: {shape1} {op} {shape2}. For + they need the same size; for * the columns "
+        "Two SymPy matrices do not fit together: ({shape1}) {op} ({shape2}). For + they need the same size; for * the columns "
         "on the left must be as many as the rows on the right. Print the .shape of both.",
-        "SymPyの行列の大きさが合いません({shape1} {op} {shape2})。+ では同じ大きさ、* では"
+        "SymPyの行列の大きさが合いません: ({shape1}) {op} ({shape2})。+ では同じ大きさ、* では"
         "左の列数と右の行数が同じでなければなりません。両方の .shape を print しましょう。",
     ),
     Row(
@@ -1278,8 +1294,8 @@ _VALUES = (
     ),
     Row(
         "ValueError",
-        r"could not convert string (?:to float: (?:np\.str_\()?|)(?P<value>'[^']*')|could not convert string to|invalid "
-        r"literal for int\(\) with base 10: (?P<value2>'[^']*')|malformed string",
+        r"could not convert string (?:to float: )?(?:np\.str_\()?(?P<value>'[^']*')|invalid literal for int\(\) with base "
+        r"10: (?P<value2>'[^']*')",
         "A text cannot be read as a number: {value}{value2}. In a file this may be a heading, an empty field or another "
         "separator than expected. Print the text before this line; int() also refuses a decimal point.",
         "文字列 {value}{value2} を数値として読めません。ファイルなら、見出しの行、空の欄、区切り文字の違いが考えられます。"
@@ -1296,7 +1312,7 @@ _VALUES = (
     Row(
         "ValueError IndexError",
         r"axis (?P<key>-?\d+) is out of bounds for array of dimension (?P<count>\d+)",
-        "axis={key} was asked for, but the array has only {count} axes; they are counted from 0. Print the .shape of the "
+        "There is no axis={key}: axes are counted from 0, and the number of axes of this array is {count}. Print the .shape of the "
         "array: perhaps it has lost an axis.",
         "axis={key} を指定していますが、配列の軸は{count}本しかありません(軸は0から数えます)。配列の .shape を print し、"
         "軸が減っていないか確かめましょう。",
@@ -1441,7 +1457,7 @@ _INDICES = (
     Row(
         "IndexError",
         r"too many indices for array: array is (?P<count>\d+)-dimensional, but (?P<given>\d+) were indexed",
-        "There are {given} indices in the square brackets, but the array has {count} axes. Print its .shape before this "
+        "More indices stand in the square brackets ({given}) than the array has axes ({count}). Print its .shape before this "
         "line; a list of numbers gives one axis, a single number none.",
         "角かっこの中に添字が{given}個ありますが、配列の軸は{count}本です。この行の前で .shape を print しましょう。"
         "数値のリストから作った配列の軸は1本、数値1個なら0本です。",

@@ -77,7 +77,8 @@ def call_fault(answered: Answered, question: Question, expected: Plain, reply: R
     if answered.warnings_are_faults and reply.warned:
         return Fault("runs", _WARNED.format(name=answered.name, warning=reply.warned[0]))
     given, right = numeric(reply.value), numeric(expected)
-    assert given is not None and right is not None
+    assert given is not None
+    assert right is not None
     correct = answered.tolerance.quantities_right(given, right)
     return None if correct.all() else Fault("value", Text("", ""), wrong=~correct)
 

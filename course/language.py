@@ -25,7 +25,7 @@ class Text(NamedTuple):
         japanese = {name: value.ja if isinstance(value, Text) else value for name, value in values.items()}
         return Text(self.en.format(**english), self.ja.format(**japanese))
 
-    def __add__(self, other: object) -> "Text":  # type: ignore[override]
+    def __add__(self, other: object) -> "Text":
         """Join two texts, language by language."""
         if not isinstance(other, Text):
             return NotImplemented

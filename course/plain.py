@@ -139,7 +139,7 @@ def _array_of_scalars(values: list[Any]) -> np.ndarray:
 
 
 def _plain_dict(value: Mapping[Any, Any], depth: int) -> Plain:
-    items = dict.items(value)  # type: ignore[arg-type]
+    items: Iterable[tuple[Any, Any]] = list(dict.items(value))  # type: ignore[arg-type]
     if not all(type(key) is str for key, _ in items):
         return Odd("dict_keys", _type_name(value))
     return {key[:MAX_TEXT]: plain(item, depth + 1) for key, item in items}

@@ -26,8 +26,9 @@ class Tolerance:
 
     def entries_right(self, given: np.ndarray, expected: np.ndarray) -> np.ndarray:
         """Return for each entry whether it is right, (k, n) of bool. Both arrays have the same shape; NaN is never right."""
-        errors = np.abs(self.by_quantity(given) - self.by_quantity(expected))
-        limits = ABSOLUTE + RELATIVE * np.max(np.abs(self.by_quantity(expected)), axis=1, initial=0.0, keepdims=True)
+        right = self.by_quantity(expected)
+        errors = np.abs(self.by_quantity(given) - right)
+        limits = ABSOLUTE + RELATIVE * np.abs(right).max(axis=1, initial=0.0, keepdims=True)
         for row in self.angles:
             errors[row] = np.minimum(errors[row] % (2 * np.pi), -errors[row] % (2 * np.pi))
             limits[row] = ANGLE
@@ -38,6 +39,8 @@ class Tolerance:
         values = np.asarray(values, dtype=np.float64)
         if self.axis is None or values.ndim == 0:
             return values.reshape(1, -1)
+        if self.axis == -1:
+            return values.reshape(-1, values.shape[-1]).T
         rows = np.moveaxis(values, self.axis, 0)
         return rows.reshape(rows.shape[0], -1)
 

@@ -396,18 +396,13 @@ def drive_animation(poses: "ArrayLike", *, tread: float = BEEGO_TREAD, seconds: 
     track = _checked_poses(poses)
     chosen = np.unique(np.linspace(0, len(track) - 1, FRAMES).round().astype(int))
     with styled():
-        figure = new_figure(5.6, 4.7)
-        axes = figure.add_axes((0.15, 0.13, 0.82, 0.78))
-        make_xy(axes)
-        extent = np.ptp(track[:, :2], axis=0)
-        width = max(abs(tread), 0.06 * extent.max())
-        # limits in the proportions of the axes, so that these fill the figure whatever the path's shape
-        half = (extent / 2 + 1.2 * width).max() * np.array([0.82 * 5.6, 0.78 * 4.7]) / (0.78 * 4.7)
-        middle = track[:, :2].min(axis=0) + extent / 2
-        axes.set(xlim=middle[0] + half[0] * np.array([-1, 1]), ylim=middle[1] + half[1] * np.array([-1, 1]))
-        axes.plot(*track[:, :2].T, color=Colour.METAL, linewidth=1.5)
+        # on a long path a robot of true size would be a speck
+        width = max(abs(tread), 0.06 * float(np.ptp(track[:, :2], axis=0).max()))
+        figure, axes = _plane_around(track, margin=1.2 * width)
         trail = axes.plot([], [], color=Colour.PATH)[0]
         robot = draw_robot(axes, track[0], tread=width)
+        # a plain text, because a title and formulas would double the time of a frame
+        readout = figure.text(0.15, 0.95, "", va="center")
 
         def draw(frame: int) -> None:
             while robot:
@@ -415,10 +410,24 @@ def drive_animation(poses: "ArrayLike", *, tread: float = BEEGO_TREAD, seconds: 
             pose = track[chosen[frame]]
             robot.extend(draw_robot(axes, pose, tread=width))
             trail.set_data(*track[: chosen[frame] + 1, :2].T)
-            x, y, degrees = pose[0], pose[1], math.degrees(pose[2])
-            axes.set_title(rf"$x = {x:.2f}$ m,  $y = {y:.2f}$ m,  $\theta = {degrees:.0f}$°", fontsize=12)
+            numbers = f"x = {pose[0]:.2f} m,  y = {pose[1]:.2f} m,  θ = {math.degrees(pose[2]):.0f}°"
+            readout.set_text(numbers.replace("-", "−"))
 
         return Film(figure, draw, len(chosen), seconds, _alt_of_drive(track))
+
+
+def _plane_around(track: "NDArray[np.float64]", margin: float) -> "tuple[Figure, Axes]":
+    """Return a figure with the whole track in pale grey, in axes that fill the figure whatever the track's shape."""
+    figure = new_figure(5.6, 4.7)
+    axes = figure.add_axes((0.15, 0.13, 0.82, 0.78))
+    make_xy(axes)
+    low, high = track[:, :2].min(axis=0), track[:, :2].max(axis=0)
+    half_height = ((high - low) / 2 + margin).max()
+    half_width = half_height * axes.bbox.width / axes.bbox.height
+    x, y = (low + high) / 2
+    axes.set(xlim=(x - half_width, x + half_width), ylim=(y - half_height, y + half_height))
+    axes.plot(*track[:, :2].T, color=Colour.METAL, linewidth=1.5)
+    return figure, axes
 
 
 def _alt_of_drive(track: "NDArray[np.float64]") -> Text:

@@ -45,7 +45,7 @@ def cases(rng):
     both = array(int(rng.integers(5, 9)))
     both[0][::2] *= -1
     whole, single, listed = array(int(rng.integers(4, 8))), array(1), array(int(rng.integers(4, 8)))
-    turns = [number(1.2, 3.4) for _ in range(2)]
+    turns = number(1.55, 1.9), number(2.1, 2.4)
     return [
         Group(Text("numbers", "数値"), 2, [number(), number(), (float(back[0]), float(back[1]), back[2])]),
         Group(Text("arrays", "配列"), 3, [array(int(rng.integers(4, 7))), array(int(rng.integers(7, 11)))]),
@@ -55,7 +55,11 @@ def cases(rng):
             1,
             [(whole[0].astype(int), *whole[1:]), (listed[0].astype(int).tolist(), *listed[1:]), single],
         ),
-        Group(Text("a gear ratio that is no whole number", "整数でないギア比"), 1, [geared(), geared(int(rng.integers(4, 7)))]),
+        Group(
+            Text("a gear ratio that is no whole number", "整数でないギア比"),
+            1,
+            [geared(rng.uniform(0.2, 0.45)), geared(rng.uniform(0.55, 0.8), int(rng.integers(4, 7)))],
+        ),
         Group(Text("more than one turn of the wheel", "タイヤが 1 回転以上"), 1, [turns[0], (-turns[1][0], *turns[1][1:])]),
     ]
 

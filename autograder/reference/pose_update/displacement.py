@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from autograder.draws import magnitudes
 from autograder.exercise import Exercise, Group, Mistake
 from course.language import Text
 from course.tolerances import LAST_AXIS
@@ -17,20 +16,25 @@ def cases(rng):
     """Draw speeds and yaw rates of all signs; dt from a few milliseconds to a second."""
 
     def motion(sign, turn_sign):
-        return sign * rng.uniform(0.3, 1.5), turn_sign * rng.uniform(1.7, 2.9), rng.uniform(0.02, 0.2)
+        return sign * rng.uniform(0.3, 1.5), turn_sign * rng.uniform(1.7, 2.9)
 
-    whole = int(rng.choice([-4, -3, -2, 2, 3, 4])), int(rng.choice([-7, -6, -5, 5, 6, 7]))
+    def step():
+        return rng.uniform(0.02, 0.2)
+
+    speed, rate = rng.choice([2, 3, 4]), rng.choice([5, 6, 7])
+    straight, spot = (-rng.uniform(0.3, 1.5), 0.0, step()), (0.0, -rng.uniform(1.7, 2.9), step())
     return [
-        Group(Text("forward", "前進"), 4, [motion(1, 1), motion(1, -1), motion(1, 1)]),
-        Group(Text("reversing", "後退"), 2, [motion(-1, -1), motion(-1, 1)]),
-        Group(Text("long steps", "長い周期"), 1, [(magnitudes(rng, 0.3, 1.5), magnitudes(rng, 1.7, 2.9), rng.uniform(0.4, 0.9))]),
-        Group(Text("short steps", "短い周期"), 1, [(magnitudes(rng, 0.3, 1.5), magnitudes(rng, 1.7, 2.9), rng.uniform(0.006, 0.009))]),
-        Group(Text("whole numbers", "整数の入力"), 1, [(*whole, 3), (*whole, rng.uniform(0.02, 0.2))]),
+        Group(Text("forward, turning left", "前進しながら左旋回"), 3, [(*motion(1, 1), step()) for _ in range(3)]),
+        Group(Text("forward, turning right", "前進しながら右旋回"), 1, [(*motion(1, -1), step()) for _ in range(2)]),
+        Group(Text("reversing", "後退"), 2, [(*motion(-1, 1), step()), (*motion(-1, -1), step())]),
+        Group(Text("long steps", "長い周期"), 1, [(*motion(sign, -sign), rng.uniform(0.4, 0.9)) for sign in (-1, 1)]),
         Group(
-            Text("straight, on the spot, at rest", "直進・その場旋回・停止"),
+            Text("short steps", "短い周期"),
             1,
-            [(rng.uniform(0.3, 1.5), 0.0, 0.05), (0.0, magnitudes(rng, 1.7, 2.9), 0.05), (0, 0, 0.05)],
+            [(sign * 0.7, sign * rng.uniform(0.5, 1.2), rng.uniform(0.006, 0.009)) for sign in (-1, 1)],
         ),
+        Group(Text("whole numbers", "整数の入力"), 1, [(-speed, rate, 3), (speed, -rate, step())]),
+        Group(Text("straight, on the spot, at rest", "直進・その場旋回・停止"), 1, [straight, spot, (0, 0, step())]),
     ]
 
 

@@ -4,7 +4,6 @@ import cmath
 
 import numpy as np
 
-from autograder.draws import heading
 from autograder.exercise import Exercise, Group, Mistake
 from course.language import Text
 from course.tolerances import LAST_AXIS
@@ -18,16 +17,19 @@ def reference(theta):
 
 
 def cases(rng):
-    """Draw headings of both signs away from the axes and diagonals, and the easy ones apart."""
-    left, right = [abs(heading(rng)) for _ in range(3)], [-abs(heading(rng)) for _ in range(3)]
-    far = [heading(rng) + turns * 2 * np.pi for turns in rng.choice([1, 2], 2) * [1, -1]]
-    small = [float(rng.uniform(0.06, 0.15)), float(rng.uniform(-0.15, -0.06))]
+    """Draw headings of both signs in all four quadrants, away from the axes and diagonals; the easy ones apart."""
+
+    def eighth(number):
+        return (number + rng.uniform(0.26, 0.74)) * np.pi / 4
+
+    quadrants = rng.integers(0, 2, 4) + [0, 2, 4, 6]
+    far = [eighth(4) + 2 * np.pi * rng.integers(1, 3), eighth(5) - 2 * np.pi * rng.integers(2, 4)]
     return [
-        Group(Text("positive headings", "正の方位"), 3, [(theta,) for theta in left]),
-        Group(Text("negative headings", "負の方位"), 3, [(theta,) for theta in right]),
+        Group(Text("positive headings", "正の方位"), 3, [(eighth(number),) for number in quadrants]),
+        Group(Text("negative headings", "負の方位"), 3, [(eighth(number) - 2 * np.pi,) for number in quadrants]),
         Group(Text("headings beyond one turn", "1 回転を超える方位"), 1, [(theta,) for theta in far]),
-        Group(Text("small headings", "小さな方位"), 1, [(theta,) for theta in small]),
-        Group(Text("whole numbers", "整数の方位"), 1, [(int(rng.choice([1, 2, 4, 5])),), (int(rng.choice([-5, -4, -2, -1])),)]),
+        Group(Text("small headings", "小さな方位"), 1, [(rng.uniform(0.06, 0.15),), (rng.uniform(-0.15, -0.06),)]),
+        Group(Text("whole numbers", "整数の方位"), 1, [(rng.choice([4, 10]),), (rng.choice([-2, -9]),)]),
         Group(Text("heading 0", "方位 0"), 1, [(0.0,), (0,)]),
     ]
 

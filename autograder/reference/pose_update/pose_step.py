@@ -37,14 +37,21 @@ def cases(rng):
         start[2] = side * (np.pi - rng.uniform(0.1, 0.4))
         return start, magnitudes(rng, 0.3, 1.5), side * rng.uniform(0.5, 0.9)
 
-    whole = until(lambda: (rng.integers(1, 5, 3) * rng.choice([-1, 1], 3), int(rng.integers(1, 4)), int(rng.choice([-2, -1, 1, 2]))), clear_of_zero)
+    whole = until(
+        lambda: (rng.integers(1, 5, 3) * rng.choice([-1, 1], 3), int(rng.integers(1, 4)), int(rng.choice([-2, -1, 1, 2]))),
+        clear_of_zero,
+    )
     still = pose(rng), 0.0, magnitudes(rng, 0.2, 0.9)
     return [
         Group(Text("forward, turning left", "前進しながら左旋回"), 2, [step(1, 1) for _ in range(3)]),
         Group(Text("forward, turning right", "前進しながら右旋回"), 1, [step(1, -1) for _ in range(3)]),
         Group(Text("reversing", "後退"), 2, [step(-1) for _ in range(3)]),
         Group(Text("turning on the spot", "その場旋回"), 1, [still]),
-        Group(Text("headings beyond one turn", "1 回転を超える方位"), 2, [until(draw, clear_of_zero) for draw in (far_turned, across_pi)]),
+        Group(
+            Text("headings beyond one turn", "1 回転を超える方位"),
+            2,
+            [until(draw, clear_of_zero) for draw in (far_turned, across_pi)],
+        ),
         Group(Text("lists and whole numbers", "リストや整数の入力"), 1, [whole, (list(map(float, pose(rng))), 1, heading(rng))]),
     ]
 

@@ -4,7 +4,7 @@ import cmath
 
 import numpy as np
 
-from autograder.draws import magnitudes, pose, until
+from autograder.draws import magnitudes, until
 from autograder.exercise import Exercise, Group, Mistake
 from course.language import Text
 from course.tolerances import LAST_AXIS
@@ -19,42 +19,45 @@ def reference(pose, displacement):
 
 
 def cases(rng):
-    """Draw displacements with a sideways part of either sign; u and v differ in size, so that they are not taken for each other."""
+    """Draw displacements with a sideways part of either sign; u and v differ in size, so that they are not taken for each other.
+
+    Headings are between 0 and pi, before and after the step, where no group is about them.
+    """
+
+    def start(turns=0):
+        heading = (rng.integers(0, 4) + rng.uniform(0.26, 0.74)) * np.pi / 4
+        return np.array([magnitudes(rng, 0.5, 3.0), magnitudes(rng, 0.5, 3.0), heading + 2 * np.pi * turns])
 
     def displacement(forward):
         return np.array([forward * rng.uniform(0.9, 1.6), magnitudes(rng, 0.3, 0.7), magnitudes(rng, 0.2, 0.9)])
 
-    def step(forward):
-        return until(lambda: (pose(rng), displacement(forward)), clear_of_zero)
+    def step(forward, turns=0):
+        return until(lambda: (start(turns), displacement(forward)), lambda *step: telling(*step, turns))
 
-    def far_turned():
-        start = pose(rng)
-        start[2] += rng.choice([-2, -1, 1, 2]) * 2 * np.pi
-        return start, displacement(rng.choice([-1, 1]))
+    def telling(pose, displacement, turns=0):
+        return clear_of_zero(pose, displacement) and 0.1 < pose[2] + displacement[2] - 2 * np.pi * turns < 3.0
 
     def across_pi():
         side = rng.choice([-1.0, 1.0])
-        start, motion = pose(rng), displacement(rng.choice([-1, 1]))
-        start[2], motion[2] = side * (np.pi - rng.uniform(0.2, 0.4)), side * rng.uniform(0.5, 0.9)
-        return start, motion
+        pose, motion = start(), displacement(rng.choice([-1, 1]))
+        pose[2], motion[2] = side * (np.pi - rng.uniform(0.2, 0.4)), side * rng.uniform(0.5, 0.9)
+        return pose, motion
 
     def sideways():
-        return pose(rng), np.array([0.0, magnitudes(rng, 0.4, 1.2), magnitudes(rng, 0.2, 0.9)])
+        return start(), np.array([0.0, magnitudes(rng, 0.4, 1.2), magnitudes(rng, 0.2, 0.9)])
 
     def whole():
-        motion = np.array([rng.integers(3, 6), rng.choice([-2, -1, 1, 2]), rng.choice([-1, 1])])
-        return rng.integers(1, 5, 3) * rng.choice([-1, 1], 3), motion
+        motion = np.array([rng.choice([5, 6]), rng.choice([-2, -1, 1, 2]), rng.choice([-1, 1])])
+        return np.array([rng.choice([-4, -3, 3, 4]), rng.choice([-4, -3, 3, 4]), 2]), motion
 
-    def lists():
-        start, motion = whole()
-        return start.tolist(), (motion / 2).tolist()
-
+    far = [step(rng.choice([-1, 1]), turns) for turns in (-1, 2)]
     return [
         Group(Text("forward and sideways", "前進と横移動"), 4, [step(1) for _ in range(4)]),
         Group(Text("reversing", "後退"), 1, [step(-1) for _ in range(2)]),
-        Group(Text("sideways only", "横移動だけ"), 1, [until(sideways, clear_of_zero) for _ in range(2)]),
-        Group(Text("headings beyond one turn", "1 回転を超える方位"), 1, [until(draw, clear_of_zero) for draw in (far_turned, across_pi)]),
-        Group(Text("lists and whole numbers", "リストや整数の入力"), 1, [until(draw, clear_of_zero) for draw in (whole, lists)]),
+        Group(Text("sideways only", "横移動だけ"), 1, [until(sideways, telling) for _ in range(2)]),
+        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [*far, until(across_pi, clear_of_zero)]),
+        Group(Text("whole numbers", "整数の入力"), 1, [until(whole, clear_of_zero)]),
+        Group(Text("lists", "リストの入力"), 1, [tuple(part.tolist() for part in step(1))]),
     ]
 
 

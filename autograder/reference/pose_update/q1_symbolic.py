@@ -5,7 +5,7 @@ import math
 import numpy as np
 import sympy as sp
 
-from autograder.draws import magnitudes, pose, until
+from autograder.draws import magnitudes, until
 from autograder.exercise import Exercise, Group, Mistake
 from course.language import Text
 from course.tolerances import LAST_AXIS
@@ -20,33 +20,33 @@ def reference(x1, y1, theta1, u, v, phi):
 
 
 def cases(rng):
-    """Draw displacements with a sideways part of either sign; u and v differ in size, so that they are not taken for each other."""
+    """Draw displacements with a sideways part of either sign; u and v differ in size, so that they are not taken for each other.
 
-    def moved(forward):
+    Headings are between 0 and pi, before and after the step, where no group is about them.
+    """
+
+    def moved(forward, turns=0):
         def draw():
-            return *pose(rng).tolist(), forward * rng.uniform(0.9, 1.6), magnitudes(rng, 0.3, 0.7), magnitudes(rng, 0.2, 0.9)
+            heading = (rng.integers(0, 4) + rng.uniform(0.26, 0.74)) * np.pi / 4
+            start = magnitudes(rng, 0.5, 3.0), magnitudes(rng, 0.5, 3.0), heading + 2 * np.pi * turns
+            return *start, forward * rng.uniform(0.9, 1.6), magnitudes(rng, 0.3, 0.7), magnitudes(rng, 0.2, 0.9)
 
-        return until(draw, clear_of_zero)
-
-    def far_turned():
-        start = pose(rng).tolist()
-        start[2] += rng.choice([-2, -1, 1, 2]) * 2 * np.pi
-        return *start, magnitudes(rng, 0.9, 1.6), magnitudes(rng, 0.3, 0.7), magnitudes(rng, 0.2, 0.9)
+        return until(draw, lambda *inputs: clear_of_zero(*inputs) and 0.1 < inputs[2] + inputs[5] - 2 * np.pi * turns < 3.0)
 
     def across_pi():
         side = rng.choice([-1.0, 1.0])
-        x, y, _ = pose(rng)
-        heading = side * (np.pi - rng.uniform(0.2, 0.4))
-        return x, y, heading, magnitudes(rng, 0.9, 1.6), magnitudes(rng, 0.3, 0.7), side * rng.uniform(0.5, 0.9)
+        start = magnitudes(rng, 0.5, 3.0), magnitudes(rng, 0.5, 3.0), side * (np.pi - rng.uniform(0.2, 0.4))
+        return *start, magnitudes(rng, 0.9, 1.6), magnitudes(rng, 0.3, 0.7), side * rng.uniform(0.5, 0.9)
 
     def whole():
-        start = (rng.integers(1, 5, 3) * rng.choice([-1, 1], 3)).tolist()
-        return *start, int(rng.integers(3, 6)), int(rng.choice([-2, -1, 1, 2])), int(rng.choice([-1, 1]))
+        start = int(rng.choice([-4, -3, 3, 4])), int(rng.choice([-4, -3, 3, 4])), 2
+        return *start, int(rng.choice([5, 6])), int(rng.choice([-2, -1, 1, 2])), int(rng.choice([-1, 1]))
 
+    far = [moved(rng.choice([-1, 1]), turns) for turns in (-1, 2)]
     return [
         Group(Text("numbers, forward", "数値、前進"), 3, [moved(1) for _ in range(3)]),
         Group(Text("numbers, reversing", "数値、後退"), 1, [moved(-1) for _ in range(2)]),
-        Group(Text("headings beyond one turn", "1 回転を超える方位"), 1, [until(draw, clear_of_zero) for draw in (far_turned, across_pi)]),
+        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [*far, until(across_pi, clear_of_zero)]),
         Group(Text("whole numbers", "整数の入力"), 1, [until(whole, clear_of_zero)]),
         Group(Text("SymPy symbols", "SymPy の記号"), 3, [moved(1), moved(-1)], symbols=True),
     ]

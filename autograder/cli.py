@@ -1,0 +1,218 @@
+"""The command line: `autograder --help` lists what there is."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated, NoReturn
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from autograder.grading import GradedNotebook, Result
+
+app = typer.Typer(
+    help="Build the notebooks, grade a class, and see what became of it. Run it in the root of the course.",
+    no_args_is_help=True,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+)
+console = Console(stderr=True)
+output = Console()
+
+Root = Annotated[
+    Path, typer.Option("--root", help="The root of the course, where source/ and release/ are.", show_default="here")
+]
+NoSandbox = Annotated[bool, typer.Option("--no-sandbox", help="Run notebooks without a sandbox. Only for work that you trust.")]
+
+
+@app.command()
+def build(
+    root: Root = Path(),
+    verify: Annotated[bool, typer.Option("--verify", help="Change nothing; fail if release/ or the examples are stale.")] = False,
+) -> None:
+    """Make the student notebooks in release/en and release/ja from source/, and the public examples.
+
+    [dim]autograder build[/] after every change of a source or an exercise; [dim]autograder build --verify[/] in CI.
+    """
+    from autograder.building import build as build_all
+    from autograder.building import verify as stale_files
+    from autograder.editions import SourceError
+
+    try:
+        found = stale_files(root.resolve()) if verify else build_all(root.resolve())
+    except SourceError as error:
+        _fail(str(error))
+    for line in found:
+        output.print(escape(line), highlight=False)
+    if verify and found:
+        _fail(f"{len(found)} generated files are not what the sources make. Type: autograder build")
+    output.print("Everything that is generated is up to date." if not found else f"{len(found)} files brought up to date.")
+
+
+@app.command()
+def grade(  # noqa: PLR0913 - each is an option of the command
+    assignment: Annotated[str, typer.Argument(help="The assignment, such as odometry.")],
+    student: Annotated[str, typer.Option(help="Only students whose name fits this pattern, such as 's2*'.")] = "*",
+    workers: Annotated[int, typer.Option(min=0, help="How many submissions at a time; 0: one for each processor.")] = 0,
+    json_file: Annotated[Path | None, typer.Option("--json", help="Write one JSON object a line for each exercise.")] = None,
+    no_sandbox: NoSandbox = False,
+    root: Root = Path(),
+) -> None:
+    """Grade what students handed in under submitted/STUDENT/ASSIGNMENT/, into the gradebook and autograded/.
+
+    Each notebook runs in a sandbox of its own; the judge sits outside. A submission that cannot be read or run gets zeros with a
+    reason, and never holds up the others.
+    """
+    results = grade_class(root.resolve(), assignment, student=student, workers=workers, sandbox=not no_sandbox)
+    if json_file is not None:
+        write_json(json_file, results)
+    output.print(class_table(assignment, results))
+
+
+@app.command()
+def check(
+    notebook: Annotated[Path, typer.Argument(help="A notebook, such as release/en/odometry/pose_update.ipynb.")],
+    no_sandbox: NoSandbox = False,
+    root: Root = Path(),
+) -> None:
+    """Grade one notebook and show what each exercise would get. No gradebook is touched."""
+    from autograder.engine import MissingReleaseError, release_notebooks
+    from autograder.grading import Work, graded_submission
+    from autograder.intake import UnreadableError, submitted_bytes
+    from autograder.reference import NOTEBOOKS
+
+    assignment = next((key.partition("/")[0] for key in NOTEBOOKS if key.partition("/")[2] == notebook.stem), None)
+    if assignment is None:
+        _fail(
+            f"{notebook.name} is none of the course's notebooks: {', '.join(key.partition('/')[2] + '.ipynb' for key in NOTEBOOKS)}"
+        )
+    _need_sandbox(not no_sandbox)
+    try:
+        content = submitted_bytes(notebook.resolve())
+        release = release_notebooks(root.resolve(), assignment)
+    except (UnreadableError, MissingReleaseError) as error:
+        _fail(f"{notebook}: {error}")
+    [graded] = graded_submission(Work("-", assignment, {notebook.stem: content}, release, not no_sandbox))
+    output.print(exercise_table(graded))
+
+
+@app.command()
+def demo(
+    root: Root = Path(),
+    workers: Annotated[int, typer.Option(min=0, help="How many submissions at a time; 0: one for each processor.")] = 0,
+    no_sandbox: NoSandbox = False,
+) -> None:
+    """Make a sample class of 12 with known mistakes in build/demo/, grade it, and compare with what each should get."""
+    from autograder.gradebook import given_scores
+    from autograder.sample import compared_rows, make_class
+
+    folder = make_class(root.resolve())
+    results = grade_class(folder, "odometry", workers=workers, sandbox=not no_sandbox)
+    write_json(folder / "results.json", results)
+    rows = compared_rows(given_scores(folder, "odometry", results))
+    table = Table(title="Sample class: expected against given", caption=f"gradebook: {folder / 'gradebook.db'}")
+    for column in ("student", "language", "exercise", "handed in", "expected", "given", "recognised as", ""):
+        table.add_column(column, overflow="fold")
+    for row in rows:
+        table.add_row(*map(escape, row.shown), "[green]✓[/]" if row.agrees else "[red]✗[/]")
+    output.print(table)
+    wrong = sum(not row.agrees for row in rows)
+    if wrong:
+        _fail(f"{wrong} of {len(rows)} results are not what was expected.")
+    output.print(
+        f"[green]All {len(results)} results are as expected[/]; the table shows the {len(rows)} that are not simply right."
+    )
+
+
+def grade_class(root: Path, assignment: str, student: str = "*", workers: int = 0, sandbox: bool = True) -> list[Result]:
+    """Grade a class with a progress bar and return all results, by student."""
+    from autograder.engine import MissingReleaseError, Options, graded, students_with
+    from autograder.gradebook import GradebookWriter
+    from autograder.registering import RegistrationError
+
+    _need_sandbox(sandbox)
+    try:
+        students = students_with(root, assignment, student)
+        if not students:
+            _fail(f"nobody handed in {assignment!r}: there is no folder that fits {root / 'submitted' / student / assignment}")
+        bar = Progress(
+            SpinnerColumn(), TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"),
+            console=console,
+        )  # fmt: skip
+        results: dict[str, list[Result]] = {}
+        with bar, GradebookWriter(root, assignment) as gradebook:
+            task = bar.add_task("", total=len(students))
+            for name, notebooks in graded(root, assignment, Options(student, workers, sandbox)):
+                gradebook.write(name, notebooks)
+                results[name] = [result for notebook in notebooks for result in notebook.results]
+                bar.update(task, advance=1, description=escape(name[:30]))
+    except (KeyError, MissingReleaseError, RegistrationError) as error:
+        _fail(str(error.args[0]))
+    except KeyboardInterrupt:
+        _fail("Stopped. What was graded so far is in the gradebook; type the same command again for the rest.")
+    return [result for name in students for result in results[name]]
+
+
+def write_json(path: Path, results: list[Result]) -> None:
+    """Write results as JSON, one object a line."""
+    from autograder.gradebook import replace_file
+    from autograder.grading import result_row
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    lines = (json.dumps(result_row(result), ensure_ascii=False) for result in results)
+    replace_file(path.resolve(), "".join(f"{line}\n" for line in lines).encode())
+
+
+def class_table(assignment: str, results: list[Result]) -> Table:
+    """Return a table with a row for each student: points by notebook, mistakes recognised, and what a person has to look at."""
+    notebooks = list(dict.fromkeys(result.notebook for result in results))
+    table = Table(title=f"{assignment}: points")
+    table.add_column("student", overflow="fold")
+    for notebook in notebooks:
+        table.add_column(notebook, justify="right")
+    table.add_column("mistakes recognised", overflow="fold")
+    table.add_column("look at", overflow="fold")
+    for student in dict.fromkeys(result.student for result in results):
+        own = [result for result in results if result.student == student]
+        points = [_points([result for result in own if result.notebook == notebook]) for notebook in notebooks]
+        mistakes = ", ".join(f"{result.exercise}: {result.misconception}" for result in own if result.misconception)
+        odd = ", ".join(dict.fromkeys(f"{result.notebook}: {result.status}" for result in own if result.status != "graded"))
+        table.add_row(escape(student), *points, mistakes, odd)
+    return table
+
+
+def exercise_table(graded: GradedNotebook) -> Table:
+    """Return a table with a row for each exercise of one notebook, with its message."""
+    table = Table(title=f"{graded.notebook}: {_points(list(graded.results))}", show_lines=True)
+    for column in ("exercise", "points", "message"):
+        table.add_column(column, overflow="fold")
+    for result in graded.results:
+        score = "by hand" if result.score is None else f"{result.score:g} / {result.max_score:g}"
+        table.add_row(result.exercise, score, escape(result.message))
+    return table
+
+
+def _points(results: list[Result]) -> str:
+    graded = [result for result in results if result.score is not None]
+    return f"{sum(result.score or 0 for result in graded):g} / {sum(result.max_score for result in graded):g}"
+
+
+def _need_sandbox(sandbox: bool) -> None:
+    from autograder.session import sandbox_problem
+
+    problem = sandbox_problem() if sandbox else None
+    if problem is not None:
+        _fail(problem)
+
+
+def _fail(message: str) -> NoReturn:
+    """Say what went wrong and end with exit code 1."""
+    console.print(f"[red]error:[/] {escape(message)}", highlight=False)
+    sys.exit(1)
+
+
+if __name__ == "__main__":
+    app()

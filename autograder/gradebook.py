@@ -1,0 +1,154 @@
+"""Writing results into nbgrader's gradebook and autograded/: one writer, one transaction for each submission."""
+
+import os
+import tempfile
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from autograder.exercise import check_cell, checked_exercise
+from autograder.grading import GradedNotebook, Result
+from autograder.intake import UnreadableError, submitted_bytes, submitted_cells
+from autograder.registering import register
+
+
+class GradebookWriter:
+    """The open gradebook of one course, for one assignment. Use it in a `with` statement."""
+
+    def __init__(self, root: Path, assignment: str, db_url: str | None = None) -> None:
+        self._root, self._assignment = root, assignment
+        self._db_url = db_url or f"sqlite:///{root / 'gradebook.db'}"
+
+    def __enter__(self) -> "GradebookWriter":
+        # imported here: nbgrader takes seconds
+        from nbgrader.api import Gradebook
+
+        self._gradebook = Gradebook(self._db_url, course_id=course_id(self._root))
+        register(self._gradebook, self._root, self._assignment)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._gradebook.close()
+
+    def write(self, student: str, graded: Sequence[GradedNotebook]) -> None:
+        """Write one submission: the executed notebooks into autograded/, then scores and comments in one transaction."""
+        folder = self._root / "autograded" / student / self._assignment
+        folder.mkdir(parents=True, exist_ok=True)
+        paths = {notebook.notebook: folder / f"{notebook.notebook}.ipynb" for notebook in graded}
+        before = {name: _written_texts(path) for name, path in paths.items()}
+        for notebook in graded:
+            replace_file(paths[notebook.notebook], notebook.executed)
+        try:
+            submission = self._submission(student)
+            rows = {entry.name: entry for entry in submission.notebooks}
+            for notebook in graded:
+                after = _written_texts(paths[notebook.notebook])
+                rewritten = {name for name, text in after.items() if text != before[notebook.notebook].get(name, text)}
+                _enter(rows[notebook.notebook], notebook.results, rewritten)
+            self._gradebook.db.commit()
+        except BaseException:
+            self._gradebook.db.rollback()
+            raise
+
+    def _submission(self, student: str) -> Any:
+        """Return the student's submission with a grade and a comment for every cell, making what is not there."""
+        from nbgrader.api import Assignment, Student, SubmittedAssignment
+
+        session = self._gradebook.db
+        person = session.get(Student, student) or Student(id=student)
+        assignment = session.query(Assignment).filter(Assignment.name == self._assignment).one()
+        submission = (
+            session.query(SubmittedAssignment)
+            .filter(SubmittedAssignment.student_id == student, SubmittedAssignment.assignment_id == assignment.id)
+            .one_or_none()
+        )
+        if submission is None:
+            submission = SubmittedAssignment(assignment=assignment, student=person)
+            # the time is the server's: what lies beside a submission was written by the student
+            submission.timestamp = datetime.now(UTC).replace(tzinfo=None)
+            session.add(submission)
+        _complete(session, submission)
+        return submission
+
+
+def course_id(root: Path) -> str:
+    """Return the course id of nbgrader_config.py, under which stock nbgrader looks for grades."""
+    from nbgrader.coursedir import CourseDirectory
+    from traitlets.config import PyFileConfigLoader
+
+    path = root / "nbgrader_config.py"
+    config = PyFileConfigLoader(path.name, path=str(root)).load_config() if path.is_file() else None
+    return str(CourseDirectory(config=config).course_id)
+
+
+def given_scores(
+    root: Path, assignment: str, results: Sequence[Result]
+) -> dict[tuple[str, str], tuple[float | None, str | None]]:
+    """Return the points that stand in the gradebook, and the misconception of the result, by (student, exercise)."""
+    from nbgrader.api import Gradebook
+
+    given = {}
+    with Gradebook(f"sqlite:///{root / 'gradebook.db'}", course_id=course_id(root)) as gradebook:
+        scores = {
+            (grade.student.id, checked_exercise(grade.name)): None if grade.needs_manual_grade else grade.score
+            for submission in gradebook.assignment_submissions(assignment)
+            for notebook in submission.notebooks
+            for grade in notebook.grades
+        }
+    for result in results:
+        key = result.student, result.exercise
+        given[key] = scores[key], result.misconception
+    return given
+
+
+def replace_file(path: Path, content: bytes) -> None:
+    """Write a file so that it is either the old one or the new one, whatever happens."""
+    with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
+        file.write(content)
+    Path(file.name).chmod(0o644)
+    os.replace(file.name, path)
+
+
+def _complete(session: Any, submission: Any) -> None:
+    """Give the submission every notebook, grade and comment that the assignment has by now."""
+    from nbgrader.api import Comment, Grade, SubmittedNotebook
+
+    present = {entry.notebook.name: entry for entry in submission.notebooks}
+    for notebook in submission.assignment.notebooks:
+        entry = present.get(notebook.name) or SubmittedNotebook(notebook=notebook, assignment=submission)
+        graded = {grade.cell.name for grade in entry.grades if grade.cell is not None}
+        for cell in notebook.grade_cells:
+            if cell.name not in graded:
+                entry.grades.append(Grade(cell=cell))
+        commented = {comment.cell.name for comment in entry.comments if comment.cell is not None}
+        for cell in notebook.solution_cells:
+            if cell.name not in commented:
+                entry.comments.append(Comment(cell=cell))
+        session.add(entry)
+    session.flush()
+
+
+def _written_texts(path: Path) -> dict[str, str]:
+    """Return the written answers in an executed notebook by grade id; empty if there is none yet."""
+    try:
+        cells = submitted_cells(submitted_bytes(path))
+    except UnreadableError:
+        return {}
+    return {cell.grade_id: cell.source for cell in cells if cell.type == "markdown" and cell.grade_id is not None}
+
+
+def _enter(entry: Any, results: Sequence[Result], rewritten: set[str]) -> None:
+    """Enter scores and messages. What a person gave by hand stays; it asks for another look when the answer was rewritten."""
+    grades = {grade.cell.name: grade for grade in entry.grades}
+    comments = {comment.cell.name: comment for comment in entry.comments}
+    for result in results:
+        by_hand = result.status == "manual"
+        grade = grades[result.exercise if by_hand else check_cell(result.exercise)]
+        if grade.manual_score is None:
+            grade.needs_manual_grade = result.score is None
+        else:
+            changed = result.exercise in rewritten if by_hand else grade.auto_score != result.score
+            grade.needs_manual_grade = grade.needs_manual_grade or changed
+        grade.auto_score = result.score
+        comments[result.exercise].auto_comment = result.message

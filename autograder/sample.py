@@ -1,0 +1,173 @@
+"""A sample class: twelve submissions with known mistakes, and what each of them should get."""
+
+import inspect
+import json
+import re
+import shutil
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from autograder.editions import edition, source_cells
+from autograder.grading import notebook_names
+from autograder.judging import judge
+from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
+
+ASSIGNMENT = "odometry"
+
+#: instead of a misconception's slug: the stub as it came, an answer that never ends, one that prints instead of returning,
+#: one that leaves its process
+STUB, ENDLESS, PRINTS, EXITS = "untouched stub", "endless loop", "prints", "exits"
+#: what is handed in instead of a notebook
+NOTHING, BROKEN, EMPTY = "not handed in", "broken file", "empty file"
+
+_ODD_ANSWERS = {
+    ENDLESS: "def {name}(*args):\n    while True:\n        pass\n",
+    PRINTS: "def {name}(*args):\n    print(args)\n",
+    EXITS: "import os\n\n\ndef {name}(*args):\n    os._exit(0)\n",
+}
+
+
+@dataclass(frozen=True)
+class SampleStudent:
+    """One student of the sample class: the edition, the wrong answers by exercise, and notebooks that are odd as a whole."""
+
+    language: str
+    wrong: Mapping[str, str] = field(default_factory=dict)
+    odd: Mapping[str, str] = field(default_factory=dict)
+    writes: bool = True
+
+
+STUDENTS: dict[str, SampleStudent] = {
+    "s01-akari": SampleStudent("ja"),
+    "s02-ben": SampleStudent("en"),
+    "s03-chie": SampleStudent("ja", {"pose_step": "sin_cos_exchanged", "wheel_angle": "gear_forgotten"}),
+    "s04-dan": SampleStudent("en", {"pose_step": "new_heading_used", "body_velocity": "half_missing_in_v"}),
+}
+
+
+class Row(NamedTuple):
+    """One line of the comparison: the cells of the table, and whether what was given is what was expected."""
+
+    shown: tuple[str, ...]
+    agrees: bool
+
+
+class Expected(NamedTuple):
+    """What an exercise of a sample student should get: points (None: by hand), misconception, and what was handed in."""
+
+    points: float | None
+    misconception: str | None
+    handed_in: str
+
+
+def make_class(root: Path) -> Path:
+    """Make the sample class afresh in build/demo below `root`, a course root of its own, and return that folder."""
+    folder = root / "build" / "demo"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    shutil.copytree(root / "release", folder / "release")
+    shutil.copy(root / "nbgrader_config.py", folder)
+    for name in notebook_names(ASSIGNMENT):
+        solved = {language: _solutions(root, f"{ASSIGNMENT}/{name}", language) for language in ("ja", "en")}
+        for student, plan in STUDENTS.items():
+            target = folder / "submitted" / student / ASSIGNMENT / f"{name}.ipynb"
+            target.parent.mkdir(parents=True, exist_ok=True)
+            _hand_in(root, target, plan, solved[plan.language])
+    return folder
+
+
+def expected_results() -> dict[tuple[str, str], Expected]:
+    """Return what every exercise of every sample student should get, by (student, exercise)."""
+    expected = {}
+    for student, plan in STUDENTS.items():
+        for name in notebook_names(ASSIGNMENT):
+            odd = plan.odd.get(name)
+            for exercise in NOTEBOOKS[f"{ASSIGNMENT}/{name}"]:
+                expected[student, exercise] = _expected(exercise, plan.wrong.get(exercise), odd)
+            for exercise in WRITTEN.get(f"{ASSIGNMENT}/{name}", ()):
+                by_hand = plan.writes and odd is None
+                expected[student, exercise] = Expected(
+                    None if by_hand else 0.0, None, odd or ("written" if by_hand else "nothing written")
+                )
+    return expected
+
+
+def compared_rows(given: Mapping[tuple[str, str], tuple[float | None, str | None]]) -> list[Row]:
+    """Compare `given` (points and misconception by student and exercise) with what is expected.
+
+    Answers that are simply right, and were given full points, are left out.
+    """
+    rows = []
+    for (student, exercise), wanted in expected_results().items():
+        points, misconception = given.get((student, exercise), (None, "no such result"))
+        agrees = points == wanted.points and misconception == wanted.misconception
+        if agrees and wanted.handed_in == "right":
+            continue
+        shown = (student, STUDENTS[student].language, exercise, wanted.handed_in, _points(wanted.points), _points(points))
+        rows.append(Row((*shown, misconception or "-"), agrees))
+    return rows
+
+
+def _points(points: float | None) -> str:
+    return "by hand" if points is None else f"{points:g}"
+
+
+def _expected(exercise: str, wrong: str | None, odd: str | None) -> Expected:
+    """Return what the judge, asked here without notebook, sandbox and gradebook, says of an answer."""
+    points = exercise_named(exercise).points
+    if odd is not None:
+        return Expected(0.0, None, odd)
+    if wrong is None:
+        return Expected(float(points), None, "right")
+    if wrong == STUB or wrong in _ODD_ANSWERS:
+        return Expected(0.0, None, wrong)
+    verdict = judge(exercise, _mistake(exercise, wrong), seed=0)
+    return Expected(round(verdict.score * points, 4), wrong, wrong)
+
+
+def _mistake(exercise: str, slug: str) -> Any:
+    return next(mistake.wrong for mistake in exercise_named(exercise).mistakes if mistake.slug == slug)
+
+
+def _solutions(root: Path, notebook: str, language: str) -> dict[str, str]:
+    """Return the teacher's answers of one notebook by grade id, without the marks around them."""
+    text = (root / "source" / f"{notebook}.md").read_text(encoding="utf-8")
+    cells = edition(source_cells(text, notebook), notebook, language).cells
+    answers = {
+        cell.metadata.nbgrader.grade_id: cell.source for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")
+    }
+    return {
+        grade_id: re.sub(r"^ *### (BEGIN|END) SOLUTION\n?", "", source, flags=re.MULTILINE)
+        for grade_id, source in answers.items()
+    }
+
+
+def _hand_in(root: Path, target: Path, plan: SampleStudent, solved: Mapping[str, Any]) -> None:
+    """Write one student's notebook: the released one with answers filled in."""
+    odd = plan.odd.get(target.stem)
+    if odd == NOTHING:
+        return
+    release = root / "release" / plan.language / ASSIGNMENT / target.name
+    notebook = json.loads(release.read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        grade_id = cell["metadata"].get("nbgrader", {}).get("grade_id", "")
+        if grade_id in solved:
+            cell["source"] = _answer(grade_id, plan, solved, "".join(cell["source"]))
+    text = json.dumps(notebook, ensure_ascii=False)
+    target.write_text({BROKEN: text[: len(text) // 2], EMPTY: ""}.get(odd or "", text), encoding="utf-8")
+
+
+def _answer(grade_id: str, plan: SampleStudent, solved: Mapping[str, str], stub: str) -> str:
+    wrong = plan.wrong.get(grade_id)
+    if grade_id in (name for names in WRITTEN.values() for name in names):
+        return solved[grade_id] if plan.writes else stub
+    if wrong is None:
+        return solved[grade_id]
+    if wrong == STUB:
+        return stub
+    if wrong in _ODD_ANSWERS:
+        return _ODD_ANSWERS[wrong].format(name=grade_id)
+    source = inspect.getsource(_mistake(grade_id, wrong)).replace(f"def {wrong}(", f"def {grade_id}(", 1)
+    return f"import math\n\nimport numpy as np\nimport sympy as sp\n\n\n{source}"

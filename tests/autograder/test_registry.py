@@ -1,0 +1,179 @@
+"""What holds for every exercise that is registered: a later exercise is covered by being there."""
+
+import contextlib
+import importlib.util
+import io
+import re
+import warnings
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+
+import jupytext
+import numpy as np
+import pytest
+
+from autograder import exercises, judge
+from autograder.exercise import Exercise, trial
+from autograder.reference import NOTEBOOKS
+from course.answers import Question, reply_to
+from course.verdict import RUNGS
+
+ROOT = Path(__file__).resolve().parents[2]
+ALL = exercises()
+FUNCTIONS = [exercise for exercise in ALL if isinstance(exercise, Exercise)]
+SEEDS = 200
+MISTAKES = [(exercise, mistake) for exercise in FUNCTIONS for mistake in exercise.mistakes]
+
+
+def names(item: object) -> str:
+    return getattr(item, "name", getattr(item, "slug", str(item)))
+
+
+def judged(name: str, answer: object, seed: int):
+    with warnings.catch_warnings(), contextlib.redirect_stdout(io.StringIO()):
+        warnings.simplefilter("ignore")
+        return judge(name, answer, seed)
+
+
+@cache
+def solution_cells() -> dict[str, str]:
+    """The teacher's solution cell of every exercise, as the notebook's source has it."""
+    found = {}
+    for notebook in NOTEBOOKS:
+        for cell in jupytext.read(ROOT / "source" / f"{notebook}.md").cells:
+            if "exercise" in cell.metadata:
+                found[cell.metadata["exercise"]] = cell.source
+    return found
+
+
+@cache
+def namespace_of(notebook: str) -> dict[str, object]:
+    """What the solution cells of one notebook define, later ones on top of earlier ones."""
+    space: dict[str, object] = {"np": np}
+    for name in NOTEBOOKS[notebook]:
+        exec("import math\nimport numpy as np\nimport sympy as sp\n" + solution_cells()[name], space)
+    return space
+
+
+@cache
+def answers(name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"answers_{name}", ROOT / "tests" / "answers" / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("exercise", ALL, ids=names)
+def test_describes_itself(exercise):
+    assert exercise.points > 0
+    assert len(exercise.misconceptions) >= 3
+    assert len(set(exercise.misconceptions)) == len(exercise.misconceptions)
+    for mistake in exercise.mistakes:
+        english, japanese = mistake.message
+        assert re.search("[ぁ-んァ-ン一-龥]", japanese), mistake.slug
+        assert not re.search("[ぁ-んァ-ン一-龥]", english), mistake.slug
+        assert 30 < len(english) < 600, mistake.slug
+
+
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_solution_of_the_notebook_is_right(exercise):
+    answer = namespace_of(exercise.notebook)[exercise.name]
+    for seed in range(SEEDS):
+        verdict = judged(exercise.name, answer, seed)
+        assert verdict.score == 1.0, (seed, verdict.message("en"))
+        assert verdict.passed
+        assert verdict.rung is None
+
+
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_untouched_stub_is_told_kindly(exercise):
+    stub = re.sub(
+        r"^( *)### BEGIN SOLUTION(.|\n)*END SOLUTION.*$",
+        r"\1raise NotImplementedError()",
+        solution_cells()[exercise.name],
+        flags=re.M,
+    )
+    space: dict[str, object] = {"np": np}
+    exec(stub, space)
+    verdict = judged(exercise.name, space[exercise.name], 0)
+    assert verdict.score == 0
+    assert verdict.rung == "runs"
+    assert verdict.misconception is None
+    assert "not written" in verdict.message("en")
+    assert "書" in verdict.message("ja")
+
+
+@pytest.mark.parametrize(("exercise", "mistake"), MISTAKES, ids=names)
+def test_mistake_loses_points_and_is_named(exercise, mistake):
+    sweep(exercise, mistake, range(10))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("exercise", "mistake"), MISTAKES, ids=names)
+def test_mistake_loses_points_and_is_named_in_every_drawing(exercise, mistake):
+    sweep(exercise, mistake, range(10, SEEDS))
+
+
+def sweep(exercise, mistake, seeds):
+    named = 0
+    for seed in seeds:
+        verdict = judged(exercise.name, mistake.wrong, seed)
+        assert verdict.score < 1, seed
+        assert verdict.rung in RUNGS
+        named += verdict.misconception == mistake.slug
+    assert named >= 0.95 * len(seeds)
+
+
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_right_answers_in_other_styles_are_right(exercise):
+    right = answers(exercise.name).RIGHT
+    assert len(right) >= 3
+    for label, answer in right.items():
+        for seed in range(50):
+            verdict = judged(exercise.name, answer, seed)
+            assert verdict.score == 1.0, (label, seed, verdict.message("en"))
+
+
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_wrong_answers_nobody_declared_lose_points(exercise):
+    wrong = answers(exercise.name).WRONG
+    plain, named = 0, 0
+    for label, (answer, _, kind) in wrong.items():
+        verdicts = [judged(exercise.name, answer, seed) for seed in range(50)]
+        assert all(verdict.score < 1 for verdict in verdicts), label
+        plain += kind == "plain"
+        named += kind == "plain" and sum(v.misconception is not None or v.rung != "value" for v in verdicts) > 25
+    assert named >= 0.9 * plain
+
+
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_cases_are_drawn_afresh_and_repeatably(exercise):
+    one, same, other = trial(exercise, 1), trial(exercise, 1), trial(exercise, 2)
+    assert repr(one.questions) == repr(same.questions)
+    assert repr(one.questions) != repr(other.questions)
+
+
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_reference_leaves_its_inputs_alone_and_does_not_warn(exercise):
+    for question in trial(exercise, 3).questions:
+        reply = reply_to(exercise.reference, Question(question.args))
+        assert reply.trouble is None
+        assert reply.warned == ()
+        assert reply.printed == ""
+        assert repr(reply.inputs) == repr(question.args)
+
+
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_messages_never_show_hidden_numbers(exercise):
+    """No float of the inputs or of the expected values stands in what a wrong answer is told."""
+    for mistake in exercise.mistakes:
+        verdict = judged(exercise.name, mistake.wrong, 5)
+        told = verdict.message("en") + verdict.message("ja")
+        for question in trial(exercise, 5).questions:
+            for value in (*question.args, reply_to(exercise.reference, Question(question.args)).value):
+                for number in np.ravel(np.asarray(value, dtype=float)) if not isinstance(value, dict) else ():
+                    if number != round(number, 2):
+                        assert f"{number:.6g}" not in told

@@ -1,0 +1,89 @@
+"""The drawings: complete and silent in both languages, and true to the course's definitions."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from course import drawings, language
+from course.plotting import new_sketch
+
+DRAWINGS = [
+    drawings.robot_pose,
+    drawings.one_step,
+    drawings.sensor_and_global_frames,
+    drawings.heading_choices,
+    drawings.drive_train,
+    drawings.quadrature_signals,
+    drawings.two_wheels,
+    drawings.mirrored_motors,
+    drawings.counter_wrap,
+    drawings.signed_tread,
+]
+KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
+
+
+def texts(picture: object) -> list[str]:
+    """Return all texts that a picture shows."""
+    figure = picture.figure  # type: ignore[attr-defined]
+    axes = figure.axes
+    return [text.get_text() for part in axes for text in part.texts] + [part.get_xlabel() for part in axes]
+
+
+@pytest.mark.parametrize("draw", DRAWINGS, ids=lambda draw: draw.__name__)
+def test_drawing_speaks_both_languages_without_a_sound(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str], draw: object
+) -> None:
+    shown = {}
+    for chosen in ("en", "ja"):
+        monkeypatch.setattr(language, "_chosen", chosen)
+        picture = draw()  # type: ignore[operator]
+        assert picture.png.startswith(b"\x89PNG")
+        assert len(picture.png) > 10_000
+        assert len(picture.alt) > 40
+        assert bool(KANA_OR_KANJI.search(picture.alt)) is (chosen == "ja")
+        shown[chosen] = texts(picture)
+    assert not any(KANA_OR_KANJI.search(text) for text in shown["en"])
+    assert any(KANA_OR_KANJI.search(text) for text in shown["ja"])
+    assert len(shown["en"]) == len(shown["ja"])
+    assert not caplog.records  # a glyph missing from a formula is only logged
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("draw", DRAWINGS, ids=lambda draw: draw.__name__)
+@pytest.mark.parametrize("chosen", ["en", "ja"])
+def test_no_text_leaves_the_picture(monkeypatch: pytest.MonkeyPatch, draw: object, chosen: str) -> None:
+    monkeypatch.setattr(language, "_chosen", chosen)
+    figure = draw().figure  # type: ignore[operator]
+    figure.draw_without_rendering()
+    page = figure.bbox
+    for text in (text for part in figure.axes for text in [*part.texts, part.xaxis.label, part.yaxis.label]):
+        box = text.get_window_extent()
+        if text.get_text():
+            assert page.contains(box.x0, box.y0), text.get_text()
+            assert page.contains(box.x1, box.y1), text.get_text()
+
+
+@pytest.mark.parametrize(("distance", "dtheta", "heading"), [(0.9, 60, 0), (-0.4, 135, 30), (1.0, -180, -90), (0.5, 0, 45)])
+def test_step_paths_end_where_geometry_says(distance: float, dtheta: float, heading: float) -> None:
+    ends = {rule: path[-1] for rule, path in drawings.step_paths(distance, dtheta, heading).items()}
+    half = math.radians(dtheta) / 2
+    chord = distance * np.sinc(half / np.pi)
+    middle = np.exp(1j * (math.radians(heading) + half))
+    assert ends["euler"] == pytest.approx(distance * np.exp(1j * math.radians(heading)))
+    assert ends["midpoint"] == pytest.approx(distance * middle)
+    assert ends["arc"] == pytest.approx(chord * middle, abs=1e-6)
+
+
+def test_a_leads_b_when_the_count_rises() -> None:
+    a, b = drawings.quadrature_bits(np.arange(5))
+    assert [f"{one:d}{other:d}" for one, other in zip(a, b, strict=True)] == ["00", "10", "11", "01", "00"]
+
+
+def test_robot_looks_where_its_heading_points() -> None:
+    axes = new_sketch((-2, 2), (-2, 2))
+    patches = drawings.draw_robot(axes, (1.0, -0.5, math.pi / 2), tread=0.5)
+    nose = max(axes.transData.inverted().transform(patch.get_window_extent().corners())[:, 1].max() for patch in patches)
+    assert nose == pytest.approx(-0.5 + 0.45 * 0.5, abs=0.01)
+    assert set(patches) <= set(axes.patches)

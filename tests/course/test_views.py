@@ -1,0 +1,162 @@
+"""The views: sliders in a kernel, a still picture everywhere else, and films that need no network."""
+
+import html
+import re
+from collections.abc import Callable
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_hex
+from matplotlib.patches import Circle, Wedge
+
+from course import language, views
+from course.drawings import quadrature_bits
+from course.plotting import new_sketch
+
+KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
+WIDGET = "application/vnd.jupyter.widget-view+json"
+LINE = np.column_stack([np.linspace(0, 2, 500), np.zeros(500), np.zeros(500)])
+
+VIEWS = [views.step_view, views.wheels_view]
+FILMS: list[Callable[[], views.Film]] = [views.encoder_animation, lambda: views.drive_animation(LINE)]
+
+
+@pytest.fixture(params=["en", "ja"])
+def chosen(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.setattr(language, "_chosen", request.param)
+    return str(request.param)
+
+
+@pytest.fixture
+def kernel(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(views, "get_ipython", lambda: SimpleNamespace(kernel=object()))
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_without_a_kernel_a_view_is_its_picture(
+    view: Callable[[], views.View], chosen: str, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
+) -> None:
+    shown = view()
+    bundle = shown._repr_mimebundle_()
+    assert set(bundle) == {"text/html", "text/plain"}
+    assert bundle["text/html"].startswith("<img alt=")
+    assert bool(KANA_OR_KANJI.search(bundle["text/plain"])) is (chosen == "ja")
+    assert not caplog.records
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.usefixtures("kernel")
+@pytest.mark.parametrize("view", VIEWS)
+def test_sliders_redraw_the_image_and_the_picture_stays_for_static_pages(view: Callable[[], views.View], chosen: str) -> None:
+    shown = view()
+    bundle = shown._repr_mimebundle_()
+    assert {WIDGET, "text/html", "text/plain"} == set(bundle)
+    *sliders, image = shown.controls.children
+    assert bytes(image.value) == shown.picture.png
+    for slider in sliders:
+        before, alt = bytes(image.value), image.tooltip
+        slider.value = slider.min
+        assert bytes(image.value) != before
+        assert image.tooltip != alt
+        assert re.search(r"\[(m|deg|m/s)\]", slider.description)
+        assert bool(KANA_OR_KANJI.search(slider.description)) is (chosen == "ja")
+
+
+@pytest.mark.parametrize(
+    ("right", "left", "says"),
+    [
+        (0.2, 0.2, "V = 0.20 m/s, omega = 0.00 rad/s; turning centre: none"),
+        (0.2, -0.2, "V = 0.00 m/s, omega = 0.80 rad/s; turning centre: 0.00 m to the left"),
+        (0.3, 0.1, "V = 0.20 m/s, omega = 0.40 rad/s; turning centre: 0.50 m to the left"),
+        (0.1, 0.3, "V = 0.20 m/s, omega = -0.40 rad/s; turning centre: 0.50 m to the right"),
+        (0.0, 0.0, "V = 0.00 m/s, omega = 0.00 rad/s; turning centre: none"),
+    ],
+)
+def test_wheels_view_tells_velocity_yaw_rate_and_turning_centre(
+    monkeypatch: pytest.MonkeyPatch, right: float, left: float, says: str
+) -> None:
+    monkeypatch.setattr(language, "_chosen", "en")
+    assert says in views._picture_of_drive(right, left, tread=0.5, seconds=4).alt
+
+
+def test_wheels_view_drives_the_circle_that_the_speeds_define() -> None:
+    axes = views._picture_of_drive(0.3, 0.1, tread=0.5, seconds=4).figure.axes[0]
+    middle = next(line for line in axes.get_lines() if to_hex(line.get_color()) == views.Colour.INK).get_xydata()
+    assert np.hypot(middle[:, 0], middle[:, 1] - 0.5) == pytest.approx(0.5, abs=1e-5)
+    assert middle[-1] == pytest.approx([0.5 * np.sin(1.6), 0.5 - 0.5 * np.cos(1.6)], abs=1e-5)
+
+
+@pytest.mark.parametrize("tread", [0, -0.3045, float("nan"), float("inf")])
+def test_wheels_view_refuses_a_tread_that_is_no_length(tread: float, chosen: str) -> None:
+    with pytest.raises(ValueError, match="tread") as caught:
+        views.wheels_view(tread)
+    assert bool(KANA_OR_KANJI.search(str(caught.value))) is (chosen == "ja")
+
+
+@pytest.mark.parametrize("film", FILMS, ids=["encoder", "drive"])
+def test_films_need_no_network_and_speak_the_chosen_language(
+    film: Callable[[], views.Film], chosen: str, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
+) -> None:
+    shown = film()
+    page = shown._repr_mimebundle_()["text/html"]
+    assert "http:" not in page
+    assert "https:" not in page
+    assert all(link.startswith("data:") for link in re.findall(r'(?:src|href)="([^"]{0,30})', page))
+    assert "<link" not in page
+    assert 'class="fa' not in page
+    assert 1 < len(re.findall(r"frames\[\d+\] = ", page)) <= views.FRAMES
+    assert page.count(f'alt="{html.escape(shown.still.alt)}"') == 1
+    assert ('title="再生"' in page) is (chosen == "ja")
+    assert (">Loop<" in page) is (chosen == "en")
+    assert bool(KANA_OR_KANJI.search(shown.still.alt)) is (chosen == "ja")
+    assert not caplog.records
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_sensor_is_lit_exactly_when_a_slit_is_before_it() -> None:
+    axes = new_sketch((-1.5, 1.5), (-1.5, 1.5))
+    turn_to = views._turning_disc(axes)
+    slits = [patch for patch in axes.patches if isinstance(patch, Wedge)]
+    sensors = [patch for patch in axes.patches if isinstance(patch, Circle)][-2:]
+    for position in np.arange(-4, 5, 0.25) + 0.1:
+        turn_to(position)
+        for sensor, bit in zip(sensors, quadrature_bits(np.floor(position)), strict=True):
+            place = np.degrees(np.angle(complex(*sensor.center)))
+            open_before_it = any((place - slit.theta1) % 360 < views.PITCH / 2 for slit in slits)
+            assert open_before_it == bit
+            assert (to_hex(sensor.get_facecolor()) == views.LIGHT.lower()) == bit
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 40, 41, 5000])
+def test_drive_animation_takes_any_number_of_poses(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
+    monkeypatch.setattr(views, "FRAMES", 4)
+    page = views.drive_animation(LINE[np.linspace(0, 499, count).astype(int)]).html
+    assert len(re.findall(r"frames\[\d+\] = ", page)) == min(count, 4)
+
+
+def test_drive_animation_takes_lists_and_leaves_the_poses_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(views, "FRAMES", 2)
+    poses = [[0, 0, 0], [1, 0, 0], [1, 1, 2]]
+    assert "1.00" in views.drive_animation(poses).still.alt
+    assert poses == [[0, 0, 0], [1, 0, 0], [1, 1, 2]]
+
+
+@pytest.mark.parametrize(
+    ("poses", "says"),
+    [
+        ([0, 0, 0], r"\(3,\)"),
+        (np.zeros((4, 2)), r"\(4, 2\)"),
+        (np.zeros((0, 3)), r"\(0, 3\)"),
+        (np.zeros((3, 5)), r"\(3, 5\)"),
+        ([[0, 0, 0], [1, 2]], "numbers"),
+        ("path", "numbers"),
+        (None, "shape"),
+        ([[0, 0, 0], [0, float("nan"), 0]], "row 1"),
+        ([[0, 0, float("inf")]], "row 0"),
+    ],
+)
+def test_drive_animation_says_what_is_wrong_with_poses(monkeypatch: pytest.MonkeyPatch, poses: object, says: str) -> None:
+    monkeypatch.setattr(language, "_chosen", "en")
+    with pytest.raises(ValueError, match=says):
+        views.drive_animation(poses)  # type: ignore[arg-type]
