@@ -34,7 +34,19 @@ def small_course(tmp_path, small_contents, small_source):
     return tmp_path
 
 
-@pytest.fixture
-def alembic_on_path(monkeypatch):
+@pytest.fixture(scope="session", autouse=True)
+def alembic_on_path():
     """nbgrader runs alembic, which lives beside this Python, when it makes a gradebook."""
-    monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PATH", f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
+        yield
+
+
+@pytest.fixture(scope="session")
+def empty_gradebook(alembic_on_path, tmp_path_factory):
+    """A new gradebook, to be copied: making one takes seconds."""
+    from nbgrader.api import Gradebook
+
+    path = tmp_path_factory.mktemp("gradebook") / "empty.db"
+    Gradebook(f"sqlite:///{path}", "dead-reckoning").close()
+    return path

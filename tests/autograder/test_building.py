@@ -171,5 +171,5 @@ def test_broken_examples_are_stale(built, broken):
     assert verify(built) == ["course/examples.json: stale"]
 
 
-def test_what_is_in_git_is_what_the_sources_make(monkeypatch):
+def test_what_is_in_git_is_what_the_sources_make():
     assert verify(ROOT) == []

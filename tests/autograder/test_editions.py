@@ -60,7 +60,7 @@ MISTAKES = [
 
 
 @pytest.fixture
-def other_notebook(monkeypatch):
+def other_notebook(small_contents, monkeypatch):
     monkeypatch.setitem(NOTEBOOKS, "odometry/encoders", ("wheel_angle",))
 
 
@@ -86,7 +86,7 @@ def test_an_unknown_notebook_is_refused(small_source):
 def test_exercises_come_once_and_in_the_order_of_the_table_of_contents(small_source, monkeypatch):
     monkeypatch.setitem(NOTEBOOKS, NOTEBOOK, ("displacement", "pose_step"))
     with pytest.raises(
-        SourceError, match="exercise: the order is pose_step, displacement; change it to displacement, pose_step$"
+        SourceError, match=r"exercise: the order is pose_step, displacement; change it to displacement, pose_step$"
     ):
         source_cells(small_source + EXERCISE % ("displacement", "displacement"), NOTEBOOK)
     with pytest.raises(SourceError, match="exercise: pose_step occurs 2 times; keep one"):

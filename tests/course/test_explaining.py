@@ -8,6 +8,7 @@ import textwrap
 from typing import Any
 
 import matplotlib as mpl
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import scipy
@@ -33,7 +34,6 @@ from course.language import Text
 from course.plain import Odd, plain
 
 mpl.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402 - after the choice of a backend without windows
 
 LISTED = [1.0, 2.0, 3.0]
 JAPANESE = re.compile("[\u3040-\u30ff\u4e00-\u9fff]")

@@ -1,5 +1,7 @@
 """count_increments(counter): increments of a 16-bit running counter that wraps, as the count(t) - count(t - dt) of notes 001, eq. (4)."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from autograder.exercise import Exercise, Group, Mistake
@@ -9,7 +11,7 @@ from course.language import Text
 def reference(counter):
     """Return for each pair of readings the one increment within half a turn of the counter that leads from old to new."""
     increments = []
-    for old, new in zip(counter[:-1], counter[1:], strict=True):
+    for old, new in pairwise(counter):
         upwards = (int(new) - int(old)) % 65536
         increments.append(upwards if upwards < 32768 else upwards - 65536)
     return increments
@@ -31,9 +33,10 @@ def cases(rng):
         start = sign * 32767 - steps[:before].sum() + sign * int(rng.integers(5, 30))
         return counter(start, steps)
 
-    def inside():
-        size = int(rng.integers(5, 9))
-        return counter(int(rng.integers(-15000, 15000)), rng.permutation(np.append(small(size, 1), small(size - 2, -1))))
+    def inside(sign):
+        """Return increments of both signs that stay in the middle of the range and pass through 0."""
+        there, back = small(int(rng.integers(4, 6)), sign), small(int(rng.integers(2, 4)), -sign)
+        return counter(-int(there[0] + there[1] // 2), np.concatenate([there, back]))
 
     def medium(sign):
         """Return wraps between readings far from both ends of the range, as a fast wheel makes them."""
@@ -41,18 +44,20 @@ def cases(rng):
         start = sign * int(rng.integers(12000, 15000))
         return counter(start, sign * rng.integers(25500, 27500, size))
 
+    passing = counter(int(rng.integers(25100, 25600)), rng.integers(3900, 4300, int(rng.integers(3, 6))))
     listed = counter(int(rng.integers(29000, 31000)), np.append(small(6, 1) + 700, fast(3, [1, -1])))
     single = counter(int(rng.integers(-30000, 30000)), [])
     pair = counter(-32700, np.array([-int(rng.integers(100, 900))]))
     return [
         Group(Text("forward across the wrap", "正転で桁あふれ"), 3, [(across(1),), (across(1).astype(float),)]),
         Group(Text("backward across the wrap", "逆転で桁あふれ"), 2, [(across(-1),), (across(-1).astype(np.int16),)]),
-        Group(Text("no wrap", "桁あふれなし"), 2, [(inside(),), (inside().astype(float),)]),
+        Group(Text("no wrap", "桁あふれなし"), 2, [(inside(1),), (inside(-1).astype(float),)]),
         Group(
             Text("fast wheels, wrapping again and again", "高速回転で何度も桁あふれ"),
             2,
             [
                 (medium(1),),
+                (passing,),
                 (medium(-1).astype(float),),
                 (counter(int(rng.integers(-9000, 9000)), fast(int(rng.integers(6, 10)), [1, 1, 1, -1, -1])),),
             ],
@@ -138,14 +143,6 @@ def wrap_near_the_ends_only(counter):
     return d
 
 
-def every_change_of_sign_a_wrap(counter):
-    c = np.asarray(counter, dtype=int)
-    d = np.diff(c)
-    d[(c[:-1] > 0) & (c[1:] < 0)] += 65536
-    d[(c[:-1] < 0) & (c[1:] > 0)] -= 65536
-    return d
-
-
 def correction_doubled(counter):
     d = np.diff(np.asarray(counter, dtype=int))
     return np.where(d < -32768, d + 131072, np.where(d > 32767, d - 131072, d))
@@ -165,7 +162,7 @@ def backward_taken_for_wrap(counter):
     return np.diff(np.asarray(counter, dtype=int)) % 65536
 
 
-def unsigned_16_bit_difference(counter):
+def passage_through_zero_taken_for_wrap(counter):
     return np.diff(np.asarray(counter, dtype=int).astype(np.uint16).astype(int))
 
 
@@ -409,13 +406,6 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
-            every_change_of_sign_a_wrap,
-            Text(
-                "Every change of sign is taken for a wrap. The counter also passes through 0, where it simply counts on: look at the size of the difference.",
-                "符号が変わるたびに桁あふれとみなしています。カウンタは 0 を通るときにも符号が変わりますが、それは桁あふれではありません。差の大きさを見ましょう。",
-            ),
-        ),
-        Mistake(
             correction_doubled,
             Text(
                 "At a wrap twice the range is added or subtracted. The counter has gone round once.",
@@ -445,10 +435,12 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
-            unsigned_16_bit_difference,
+            passage_through_zero_taken_for_wrap,
             Text(
-                "The readings are made unsigned (0..65535); that only moves the wrap to 0, where there is now a jump of 65536. It is the difference that must be brought back.",
-                "読みを符号なし(0〜65535)に直しています。これでは桁あふれの場所が 0 に移るだけで、そこで 65536 飛びます。範囲に戻すのは差の方です。",
+                "Where the counter passes through 0 there is now a jump of 65536: the readings are made unsigned (0..65535), or every change of their "
+                "sign is taken for a wrap. Look at the size of the difference of the readings as they come.",
+                "カウンタが 0 を通るところで 65536 の飛びが出ています。読みを符号なし(0〜65535)に直しているか、符号が変わるたびに桁あふれとみなしています。"
+                "元の読みのまま、差の大きさを見ましょう。",
             ),
         ),
         Mistake(

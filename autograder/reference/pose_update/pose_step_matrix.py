@@ -37,8 +37,7 @@ def cases(rng):
     def telling(pose, displacement, turns=0):
         return clear_of_zero(pose, displacement) and 0.1 < pose[2] + displacement[2] - 2 * np.pi * turns < 3.0
 
-    def across_pi():
-        side = rng.choice([-1.0, 1.0])
+    def across_pi(side):
         pose, motion = start(), displacement(rng.choice([-1, 1]))
         pose[2], motion[2] = side * (np.pi - rng.uniform(0.2, 0.4)), side * rng.uniform(0.5, 0.9)
         return pose, motion
@@ -50,12 +49,12 @@ def cases(rng):
         motion = np.array([rng.choice([5, 6]), rng.choice([-2, -1, 1, 2]), rng.choice([-1, 1])])
         return np.array([rng.choice([-4, -3, 3, 4]), rng.choice([-4, -3, 3, 4]), 2]), motion
 
-    far = [step(rng.choice([-1, 1]), turns) for turns in (-1, 2)]
+    across = [until(lambda side=side: across_pi(side), clear_of_zero) for side in (-1, 1)]
     return [
         Group(Text("forward and sideways", "前進と横移動"), 4, [step(1) for _ in range(4)]),
         Group(Text("reversing", "後退"), 1, [step(-1) for _ in range(2)]),
         Group(Text("sideways only", "横移動だけ"), 1, [until(sideways, telling) for _ in range(2)]),
-        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [*far, until(across_pi, clear_of_zero)]),
+        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [step(1, rng.choice([-2, -1, 1, 2])), *across]),
         Group(Text("whole numbers", "整数の入力"), 1, [until(whole, clear_of_zero)]),
         Group(Text("lists", "リストの入力"), 1, [tuple(part.tolist() for part in step(1))]),
     ]

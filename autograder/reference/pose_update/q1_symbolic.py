@@ -33,8 +33,7 @@ def cases(rng):
 
         return until(draw, lambda *inputs: clear_of_zero(*inputs) and 0.1 < inputs[2] + inputs[5] - 2 * np.pi * turns < 3.0)
 
-    def across_pi():
-        side = rng.choice([-1.0, 1.0])
+    def across_pi(side):
         start = magnitudes(rng, 0.5, 3.0), magnitudes(rng, 0.5, 3.0), side * (np.pi - rng.uniform(0.2, 0.4))
         return *start, magnitudes(rng, 0.9, 1.6), magnitudes(rng, 0.3, 0.7), side * rng.uniform(0.5, 0.9)
 
@@ -42,11 +41,11 @@ def cases(rng):
         start = int(rng.choice([-4, -3, 3, 4])), int(rng.choice([-4, -3, 3, 4])), 2
         return *start, int(rng.choice([5, 6])), int(rng.choice([-2, -1, 1, 2])), int(rng.choice([-1, 1]))
 
-    far = [moved(rng.choice([-1, 1]), turns) for turns in (-1, 2)]
+    across = [until(lambda side=side: across_pi(side), clear_of_zero) for side in (-1, 1)]
     return [
         Group(Text("numbers, forward", "数値、前進"), 3, [moved(1) for _ in range(3)]),
         Group(Text("numbers, reversing", "数値、後退"), 1, [moved(-1) for _ in range(2)]),
-        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [*far, until(across_pi, clear_of_zero)]),
+        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [moved(1, rng.choice([-2, -1, 1, 2])), *across]),
         Group(Text("whole numbers", "整数の入力"), 1, [until(whole, clear_of_zero)]),
         Group(Text("SymPy symbols", "SymPy の記号"), 3, [moved(1), moved(-1)], symbols=True),
     ]
