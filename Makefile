@@ -19,8 +19,9 @@ test: .venv/.ready sandbox chromium    ## all tests, the slow ones and the brows
 quick: .venv/.ready sandbox    ## the tests without long sweeps and without a browser
 	$(BIN)/pytest -n 2 -m "not slow and not browser"
 
-lab: .venv/.ready    ## open JupyterLab on the student notebooks
-	$(BIN)/jupyter lab --notebook-dir release
+lab: .venv/.ready    ## open JupyterLab on a copy of the student notebooks, in build/lab/; what you write there stays
+	@mkdir -p build/lab && cp -R --no-clobber release/. build/lab/
+	$(BIN)/jupyter lab --notebook-dir build/lab
 
 build: .venv/.ready    ## make release/ and the public examples from source/
 	$(BIN)/autograder build
@@ -56,5 +57,5 @@ chromium:
 # installs a Debian package if this user may, silently; fails otherwise
 apt = (test "$$(id -u)" = 0 && apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq $(1) >/dev/null 2>&1) || (command -v sudo >/dev/null && sudo -n true 2>/dev/null && sudo -n apt-get update -qq && sudo -n apt-get install -y -qq $(1) >/dev/null 2>&1);
 
-clean:           ## remove what was generated here, not what a class handed in
-	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis
+clean:           ## remove what was generated here; not what a class handed in, nor what you wrote in build/lab/
+	rm -rf build/demo .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -1,16 +1,21 @@
-"""The executed notebook that goes into autograded/: the student's cells and what they put out, made safe to open."""
+"""The executed notebook that goes into autograded/: the student's cells and what they put out, made safe to open.
+
+nbgrader's pages show Markdown, comments included, with its HTML and any link, and run MathJax over it.
+"""
 
 import base64
 import io
 import re
 import warnings
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from html import escape
 from typing import Any
 
 import nbformat
 import nh3
 from markdown_it import MarkdownIt
+from mdit_py_plugins.amsmath import amsmath_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output, new_raw_cell
 from PIL import Image
@@ -20,24 +25,47 @@ from course.verdict import Verdict
 
 MAX_PIXELS = 4_000_000
 MAX_TEXT = 100_000
-# C0 and C1 controls except tab, line feed and escape-free carriage return; and the marks that turn text around
-_HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]")
+#: hostile Markdown takes time that grows with the square of its length; nobody writes that much in one cell
+MAX_MARKDOWN = 20_000
+
+# C0 and C1 controls except tab and line feed, the marks that turn text around, and halves of surrogate pairs
+_HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+# a tag, the end of a link's text, or a diagram: the only ways in which Markdown can do more than show text
+_MAY_ACT = re.compile(r"<[A-Za-z/!?]|\]\s*[(:\[]|mermaid")
+# where a space, which means nothing in a formula, keeps it from being read as a tag or a link
+_LIKE_TAG_OR_LINK = re.compile(r"<(?=[A-Za-z/!?])|\](?=[(:\[])")
+_ACTING_MACRO = re.compile(r"\\(href|url|require|class|cssId|style|data|mmlToken)(?![A-Za-z])")
+_MARKDOWN_MARK = re.compile(r"[\\`<\[$&~]|\*(?=\S)|(?<=\S)\*|_(?!\w)|(?<![A-Za-z0-9])_")
 
 
-# a tag, or the end of a link's text: the only ways in which Markdown can do more than show text
-_MAY_ACT = re.compile(r"<[A-Za-z/!?]|\]\s*[(:\[]")
+@dataclass
+class Room:
+    """How much of a notebook's outputs is still to be shown: characters of text, and pixels of pictures."""
+
+    text: int = 2_000_000
+    pixels: int = 100_000_000
 
 
-def executed_notebook(release: bytes, cells: Sequence[Cell], outputs: Sequence[Sequence[dict[str, Any]]]) -> bytes:
-    """Return the notebook as JSON: our metadata for the cells that are ours, nothing of the student's but sources and clean outputs."""
+def executed_notebook(release: bytes, cells: Sequence[Cell], outputs: Sequence[Sequence[Any]]) -> bytes:
+    """Return the notebook as JSON: our metadata for the cells that are ours, nothing of the student's but sources and outputs.
+
+    `outputs` holds the clean outputs (`clean_outputs`) of each cell.
+    """
     ours = nbformat.reads(release.decode(), as_version=4)
     by_id = {cell.metadata["nbgrader"]["grade_id"]: cell for cell in ours.cells if "nbgrader" in cell.metadata}
+    prose = frozenset(cell.source for cell in ours.cells if cell.cell_type == "markdown")
     made = []
     for index, cell in enumerate(cells):
-        shown = list(map(clean_output, outputs[index])) if index < len(outputs) else []
-        made.append(_made_cell(index, cell, by_id, [output for output in shown if output is not None]))
+        entry = _made_cell(cell, prose, outputs[index] if index < len(outputs) else [])
+        entry["id"] = f"cell-{index}"
+        template = by_id.get(cell.grade_id) if cell.grade_id is not None else None
+        if template is not None:
+            entry.metadata["nbgrader"] = template.metadata["nbgrader"]
+            entry["id"] = template.id
+        made.append(entry)
     ours.cells = made
-    return nbformat.writes(ours).encode()
+    text: str = nbformat.writes(ours)
+    return text.encode()
 
 
 def verdict_output(verdict: Verdict, language: str) -> dict[str, Any]:
@@ -48,17 +76,28 @@ def verdict_output(verdict: Verdict, language: str) -> dict[str, Any]:
     return {"output_type": "error", "ename": "CheckFailed", "evalue": verdict.headline(language), "traceback": text.splitlines()}
 
 
-def clean_output(output: Any) -> Any | None:
+def clean_outputs(outputs: Sequence[Any], room: Room) -> list[Any]:
+    """Return the outputs of one cell as `clean_output` makes them, as long as there is room; what they fill is taken from it."""
+    shown = (clean_output(output, room) for output in outputs)
+    return [output for output in shown if output is not None]
+
+
+def clean_output(output: Any, room: Room | None = None) -> Any | None:
     """Return one output with only what is safe to show: text, and pictures drawn anew; None if nothing is left."""
-    match output:
-        case {"output_type": "stream", "name": ("stdout" | "stderr") as name, "text": str(text)}:
-            return new_output("stream", name=name, text=visible(text))
-        case {"output_type": "error", "ename": str(name), "evalue": str(value), "traceback": list(lines)}:
-            return new_output(
-                "error", ename=visible(name), evalue=visible(value), traceback=[visible(str(line)) for line in lines[:100]]
-            )
-        case {"output_type": ("display_data" | "execute_result") as kind, "data": dict(data)}:
-            clean = _clean_data(data)
+    room = room or Room()
+    if not isinstance(output, dict):
+        return None
+    kind = output.get("output_type")
+    if not isinstance(kind, str) or room.text <= 0:
+        return None
+    match kind, output:
+        case "stream", {"name": str(name), "text": str(text)} if name in ("stdout", "stderr"):
+            return new_output("stream", name=name, text=_fitted(text, room))
+        case "error", {"ename": str(name), "evalue": str(value), "traceback": list(lines)}:
+            trace = [_fitted(line, room) for line in lines[:100] if isinstance(line, str)]
+            return new_output("error", ename=_fitted(name, room), evalue=_fitted(value, room), traceback=trace)
+        case (("display_data" | "execute_result"), {"data": dict(data)}):
+            clean = _clean_data(data, room)
             extra = {"execution_count": None} if kind == "execute_result" else {}
             return new_output(kind, data=clean, **extra) if clean else None
     return None
@@ -66,47 +105,81 @@ def clean_output(output: Any) -> Any | None:
 
 def visible(text: str) -> str:
     """Return text in which control characters and marks that reverse its direction can be seen."""
-    return _HIDDEN.sub(lambda mark: f"\\u{ord(mark.group()):04x}", text[:MAX_TEXT])
+    return _HIDDEN.sub(lambda mark: f"\\u{ord(mark.group()):04x}", text[:MAX_TEXT].replace("\r\n", "\n"))
 
 
 def safe_markdown(source: str) -> str:
     """Return Markdown without anything that could act on a page: HTML and links go through an allow-list, formulas stay."""
-    text = visible(source)
+    text = _without_acting_macros(visible(source))
     if not _MAY_ACT.search(text):
         return text
-    parser = MarkdownIt("commonmark", {"html": True}).enable("table").use(dollarmath_plugin)
-    parser.add_render_rule("math_inline", _formula("$"))
-    parser.add_render_rule("math_block", _formula("$$"))
-    return nh3.clean(parser.render(text), url_schemes={"http", "https", "mailto"})
+    if len(text) > MAX_MARKDOWN:
+        return f"<pre>{escape(text).replace('[', '&#91;')}</pre>"
+    # formulas pass by the sanitiser, which would write & as &amp;: what reads a formula afterwards does not undo that
+    mark = "formula"
+    while mark in text:
+        mark += "a"
+    formulas: list[str] = []
+    parser = MarkdownIt("commonmark", {"html": True}).enable("table")
+    parser.use(dollarmath_plugin, allow_labels=False, double_inline=True).use(amsmath_plugin)
+    for rule, around in {"math_inline": "$", "math_inline_double": "$$", "math_block": "$$", "amsmath": ""}.items():
+        parser.add_render_rule(rule, _put_aside(formulas, mark, around))
+    html = nh3.clean(parser.render(text), tags=nh3.ALLOWED_TAGS - {"img"}, url_schemes={"http", "https", "mailto"})
+    # the page reads this as Markdown once more: no link must come to life in it
+    html = html.replace("[", "&#91;")
+    return re.sub(rf"{mark}(\d+)z", lambda found: formulas[int(found.group(1))], html)
 
 
-def _formula(mark: str) -> Callable[..., str]:
+def as_markdown(text: str) -> str:
+    """Return plain text as Markdown that shows just this text: nbgrader renders comments, and they quote the student."""
+    marked = _MARKDOWN_MARK.sub(lambda mark: f"\\{mark.group()}", _without_acting_macros(visible(text)))
+    return marked.replace("\n", "  \n")
+
+
+def _put_aside(formulas: list[str], mark: str, around: str) -> Callable[..., str]:
+    """Return a rule that renders a formula as a word, and keeps the formula, with `around` on both sides, in the list."""
+
     def rendered(renderer: object, tokens: Sequence[Any], index: int, *_: object) -> str:
-        return f"{mark}{escape(tokens[index].content)}{mark}"
+        inert = _LIKE_TAG_OR_LINK.sub(r"\g<0> ", tokens[index].content)
+        formulas.append(f"{around}{inert}{around}")
+        return f"{mark}{len(formulas) - 1}z"
 
     return rendered
 
 
-def _clean_data(data: dict[str, Any]) -> dict[str, str]:
+def _without_acting_macros(text: str) -> str:
+    """Return text without the macros by which MathJax makes links, loads extensions, or styles the page."""
+    return _ACTING_MACRO.sub(r"\\text{\1}", text)
+
+
+def _fitted(text: str, room: Room) -> str:
+    shown = visible(text[: max(room.text, 0)])
+    room.text -= len(shown)
+    return shown
+
+
+def _clean_data(data: dict[str, Any], room: Room) -> dict[str, str]:
     clean = {}
     text, picture = data.get("text/plain"), data.get("image/png")
     if isinstance(text, str):
-        clean["text/plain"] = visible(text)
+        clean["text/plain"] = _fitted(text, room)
     if isinstance(picture, str):
-        redrawn = _redrawn(picture)
+        redrawn = _redrawn(picture, room)
         if redrawn is not None:
             clean["image/png"] = redrawn
     return clean
 
 
-def _redrawn(picture: str) -> str | None:
+def _redrawn(picture: str, room: Room) -> str | None:
     """Return a PNG decoded and encoded anew, so that only pixels are left of it; None if it is not one or too large."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # Pillow warns of decompression bombs
             with Image.open(io.BytesIO(base64.b64decode(picture)), formats=["PNG"]) as image:
-                if image.width * image.height > MAX_PIXELS:
+                size = image.width * image.height
+                if size > min(MAX_PIXELS, room.pixels):
                     return None
+                room.pixels -= size
                 pixels = image.convert("RGB")
     except Exception:  # whatever is wrong with a hostile picture, it is left out
         return None
@@ -115,16 +188,10 @@ def _redrawn(picture: str) -> str | None:
     return base64.b64encode(file.getvalue()).decode()
 
 
-def _made_cell(index: int, cell: Cell, by_id: dict[str, Any], outputs: list[Any]) -> Any:
+def _made_cell(cell: Cell, prose: frozenset[str], outputs: Sequence[Any]) -> Any:
     if cell.type == "code":
-        made = new_code_cell(cell.source, outputs=outputs)
-    elif cell.type == "markdown":
-        made = new_markdown_cell(safe_markdown(cell.source))
-    else:
-        made = new_raw_cell(visible(cell.source))
-    made["id"] = f"cell-{index}"
-    template = by_id.get(cell.grade_id) if cell.grade_id is not None else None
-    if template is not None:
-        made.metadata["nbgrader"] = template.metadata["nbgrader"]
-        made["id"] = template.id
-    return made
+        return new_code_cell(visible(cell.source), outputs=list(outputs))
+    if cell.type == "markdown":
+        # the course's own prose is safe as it is
+        return new_markdown_cell(cell.source if cell.source in prose else safe_markdown(cell.source))
+    return new_raw_cell(_without_acting_macros(visible(cell.source)))

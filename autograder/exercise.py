@@ -149,8 +149,14 @@ def trial(exercise: Exercise, seed: int) -> Trial:
 
 
 def _as_python(arg: Plain) -> Plain:
-    """Return NumPy's scalars, which draws leave behind, as Python's numbers."""
-    return arg.item() if isinstance(arg, np.generic) else arg
+    """Return NumPy's scalars, which draws leave behind, as Python's numbers, and tuples as lists: so they stay on every way."""
+    if isinstance(arg, np.generic):
+        return arg.item()
+    if isinstance(arg, list | tuple):
+        return list(map(_as_python, arg))
+    if isinstance(arg, dict):
+        return {key: _as_python(item) for key, item in arg.items()}
+    return arg
 
 
 def right_value(rule: Callable[..., Any], question: Question) -> Plain:

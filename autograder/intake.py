@@ -44,16 +44,22 @@ class Cell:
 def submitted_bytes(path: Path) -> bytes:
     """Return the content of a submitted file: a regular file of bearable size, not reached through a link."""
     try:
-        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+        # a FIFO would keep an ordinary open waiting
+        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_NOCTTY)
+    except FileNotFoundError:
+        raise UnreadableError(NOT_HANDED_IN) from None
     except OSError:
         raise UnreadableError(_NO_FILE) from None
-    with os.fdopen(descriptor, "rb") as file:
+    try:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode) or status.st_nlink > 1:
             raise UnreadableError(_NO_FILE)
         if status.st_size > MAX_BYTES:
             raise UnreadableError(_TOO_LARGE)
-        data = file.read(MAX_BYTES + 1)
+        with os.fdopen(descriptor, "rb", closefd=False) as file:
+            data = file.read(MAX_BYTES + 1)
+    finally:
+        os.close(descriptor)
     if len(data) > MAX_BYTES:
         raise UnreadableError(_TOO_LARGE)
     return data
@@ -81,25 +87,38 @@ def submitted_cells(data: bytes) -> list[Cell]:
 def restored_cells(release: Sequence[Cell], submitted: Sequence[Cell]) -> list[Cell]:
     """Return the notebook to grade: the student's cells in their order, with the release's locked cells in place.
 
-    Of several cells with one grade id the first counts as the graded one; copies stay as ordinary cells. A check cell stands where
-    the student has it, but not before the answer that it checks; one that is missing is put after that answer, or at the end.
+    Of several cells with one grade id the first that is not blank counts as the graded one; the others stay as ordinary cells. A
+    check cell stands where the student has it, but not before the answer that it checks; one that is missing is put after that
+    answer, or at the end. A written answer that is missing comes back empty, at the end, so that it can be given points.
     """
     known = {cell.grade_id: cell for cell in release if cell.grade_id is not None}
+    counts = _counted(submitted)
     kept: list[Cell] = []
     checks_at: dict[str, int] = {}
-    seen: set[str] = set()
-    for cell in submitted:
+    for index, cell in enumerate(submitted):
         ours = known.get(cell.grade_id) if cell.grade_id is not None else None
         if ours is None:
             kept.append(Cell(cell.type, cell.source))
         elif ours.locked:
             checks_at.setdefault(str(ours.grade_id), len(kept))
-        elif str(ours.grade_id) in seen:
+        elif counts[str(ours.grade_id)] != index:
             kept.append(Cell(cell.type, cell.source))
         else:
-            seen.add(str(ours.grade_id))
             kept.append(Cell(ours.type, cell.source, ours.grade_id, graded=ours.graded))
-    return _with_checks(release, kept, checks_at)
+    written = [cell for cell in release if cell.graded and not cell.locked and cell.grade_id not in counts]
+    return [*_with_checks(release, kept, checks_at), *written]
+
+
+def _counted(submitted: Sequence[Cell]) -> dict[str, int]:
+    """Return for each grade id the index of the cell that counts: the first that is not blank, or else the first."""
+    first: dict[str, int] = {}
+    for index, cell in enumerate(submitted):
+        if cell.grade_id is None:
+            continue
+        known = first.setdefault(cell.grade_id, index)
+        if not submitted[known].source.strip() and cell.source.strip():
+            first[cell.grade_id] = index
+    return first
 
 
 def _with_checks(release: Sequence[Cell], kept: list[Cell], checks_at: dict[str, int]) -> list[Cell]:
@@ -155,10 +174,12 @@ def _cell(raw: Any) -> Cell | None:
 def _grade_id(raw: dict[str, Any]) -> str | None:
     metadata = raw.get("metadata")
     ours = metadata.get("nbgrader") if isinstance(metadata, dict) else None
-    grade_id = ours.get("grade_id") if isinstance(ours, dict) else None
+    # our notebooks use the grade id as the cell's own id too: it survives tools that drop metadata
+    grade_id = ours.get("grade_id") if isinstance(ours, dict) else raw.get("id")
     return grade_id if isinstance(grade_id, str) and 0 < len(grade_id) <= MAX_GRADE_ID else None
 
 
+NOT_HANDED_IN = Text("This notebook was not handed in.", "このノートブックは提出されていません。")
 _NO_FILE = Text(
     "There is no ordinary file with the notebook's name (a link or a folder is not read).",
     "ノートブックのファイルがありません(リンクやフォルダは読み込みません)。",

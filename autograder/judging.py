@@ -12,11 +12,12 @@ import numpy as np
 from autograder.exercise import Exercise, GraphExercise, Group, Mistake, Trial, right_value, trial
 from autograder.reference import exercise_named
 from course.answers import Interview, Question, Reply, Trouble, interview, reply_to
-from course.explaining import explained_missing, explained_not_axes, explained_trouble
+from course.explaining import explained_missing, explained_not_axes, explained_trouble, shown
 from course.factors import factor_message
 from course.ladder import Answered, Fault, call_fault, entry_fault, names_of_wrong
 from course.language import Text
 from course.plain import Odd, Plain, numeric
+from course.undisturbed import undisturbed
 from course.verdict import Verdict
 
 #: puts questions to an answer, wherever it lives, and brings back plain data
@@ -42,9 +43,14 @@ def judged(exercise: Exercise | GraphExercise, ask: Ask, seed: int | None = None
     """Judge whatever `ask` reaches as `exercise`."""
     seed = secrets.randbits(63) if seed is None else seed
     if isinstance(exercise, GraphExercise):
-        return graph_verdict(exercise, ask(()), seed)
-    drawn = trial(exercise, seed)
-    return verdict(exercise, drawn, ask(drawn.questions), seed)
+        talk = ask(())
+        with undisturbed():
+            return graph_verdict(exercise, talk, seed)
+    with undisturbed():
+        drawn = trial(exercise, seed)
+    talk = ask(drawn.questions)
+    with undisturbed():
+        return verdict(exercise, drawn, talk, seed)
 
 
 def verdict(exercise: Exercise, drawn: Trial, talk: Interview, seed: int | None = None) -> Verdict:
@@ -210,7 +216,9 @@ def _same_oddity(a: Plain, b: Plain) -> bool:
         return isinstance(a, Odd) and isinstance(b, Odd) and a.kind == b.kind
     if isinstance(a, list) and isinstance(b, list):
         return len(a) == len(b) and all(_same_part(x, y) for x, y in zip(a, b, strict=True))
-    return type(a) is type(b) and a == b
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(_same_part(a[key], b[key]) for key in a)
+    return type(a) is type(b) and bool(a == b)
 
 
 def _same_part(a: Plain, b: Plain) -> bool:
@@ -229,7 +237,7 @@ def _passed_text(drawn: Trial, replies: Sequence[Reply]) -> Text:
     if any(reply.printed for reply in replies):
         text += _PRINTS
     warned = next((reply.warned[0] for reply in replies if reply.warned), None)
-    return text if warned is None else text + _WARNS.format(warning=warned)
+    return text if warned is None else text + _WARNS.format(warning=shown(warned))
 
 
 def _standing(drawn: Trial, faults: Sequence[Fault | None]) -> Text:

@@ -5,6 +5,7 @@ the `Interview` that comes out: names, texts and plain values.
 """
 
 import ast
+import builtins
 import contextlib
 import difflib
 import inspect
@@ -14,6 +15,7 @@ import signal
 import sys
 import sysconfig
 import threading
+import time
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -24,7 +26,7 @@ from typing import Any
 import numpy as np
 
 from course.figures import axes_summary, is_axes
-from course.plain import Plain, as_given, fresh, plain
+from course.plain import Plain, as_given, class_name, fresh, plain, plain_text, type_name
 
 MAX_PRINTED = 2_000
 MAX_MESSAGE = 500
@@ -103,22 +105,38 @@ class TimeUp(BaseException):
 
 def interview(answer: object, questions: Sequence[Question], time_limit: float = TIME_LIMIT) -> Interview:
     """Ask `answer` all the questions and return what came of it. Stops at the first call that is interrupted or too slow."""
+    replies: list[Reply] = []
+    try:
+        with _alarm(time_limit):
+            uncallable = _uncallable(answer, questions)
+            if uncallable is not None:
+                return uncallable
+            for question in questions:
+                reply = reply_to(answer, question)
+                replies.append(reply)
+                if reply.trouble is not None and reply.trouble.type in ("KeyboardInterrupt", "TimeUp"):
+                    break
+    except TimeUp as error:  # it rang between two calls, or while a hostile object was looked at
+        replies.append(Reply(trouble=_trouble(error)))
+    return Interview(replies=tuple(replies))
+
+
+def _uncallable(answer: object, questions: Sequence[Question]) -> Interview | None:
+    """Return the whole interview if the answer is no function, or one of other arguments; else None."""
     if is_axes(answer):
-        return Interview(kind="axes", figure=axes_summary(answer))
+        try:
+            return Interview(kind="axes", figure=axes_summary(answer))
+        except TimeUp:
+            raise
+        except BaseException:  # an Axes of the student's own making
+            return Interview(kind=type_name(answer))
     if not callable(answer):
-        return Interview(kind=type(answer).__name__[:80])
+        return Interview(kind=type_name(answer))
     for question in questions:
         mismatch = _signature_mismatch(answer, len(question.args))
         if mismatch:
             return Interview(mismatch=mismatch)
-    replies = []
-    with _alarm(time_limit):
-        for question in questions:
-            reply = reply_to(answer, question)
-            replies.append(reply)
-            if reply.trouble is not None and reply.trouble.type in ("KeyboardInterrupt", "TimeUp"):
-                break
-    return Interview(replies=tuple(replies))
+    return None
 
 
 def reply_to(answer: Any, question: Question) -> Reply:
@@ -130,7 +148,7 @@ def reply_to(answer: Any, question: Question) -> Reply:
     try:
         after = tuple(as_given(arg) for arg in given)
         return Reply(plain(value), trouble, after, printed, warned)
-    except Exception as error:  # an object that fails while it is read is an answer that fails
+    except BaseException as error:  # an object that fails while it is read is an answer that fails
         return Reply(None, _trouble(error), (), printed, warned)
 
 
@@ -147,7 +165,9 @@ def find(name: str, namespace: Mapping[str, object], cells: Sequence[str] = ()) 
         missing = _missing_in_cell(name, source)
         if missing:
             return None, missing
-    own_names = [key for key, value in namespace.items() if not key.startswith("_") and callable(value)]
+    own_names = [
+        key for key, value in namespace.items() if type(key) is str and key[:1] != "_" and (callable(value) or is_axes(value))
+    ]
     close = difflib.get_close_matches(name, own_names, n=1, cutoff=0.85)
     return None, Missing("similar", close[0]) if close else Missing("undefined")
 
@@ -156,10 +176,10 @@ def _missing_in_cell(name: str, source: str) -> Missing | None:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            tree = ast.parse(source)
+            tree = ast.parse(_without_magics(source))
     except SyntaxError as error:
         return Missing("syntax", trouble=_syntax_trouble(error)) if f"def {name}" in source else None
-    except (ValueError, RecursionError, MemoryError):
+    except (ValueError, RuntimeError, MemoryError):
         return None
     for outer in ast.walk(tree):
         if isinstance(outer, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
@@ -167,6 +187,15 @@ def _missing_in_cell(name: str, source: str) -> Missing | None:
             if any(node.name == name for node in inner):
                 return Missing("nested", outer.name[:80])
     return None
+
+
+def _without_magics(source: str) -> str:
+    """Return a cell as the Python that IPython makes of it: %magics and !commands are no syntax errors in a notebook."""
+    if "IPython" not in sys.modules or not any(mark in source for mark in "%!?"):
+        return source
+    from IPython.core.inputtransformer2 import TransformerManager
+
+    return TransformerManager().transform_cell(source)
 
 
 def _syntax_trouble(error: SyntaxError) -> Trouble:
@@ -177,12 +206,12 @@ def _syntax_trouble(error: SyntaxError) -> Trouble:
 def _signature_mismatch(answer: Any, count: int) -> tuple[int, str] | None:
     try:
         signature = inspect.signature(answer)
-    except (ValueError, TypeError):
+    except Exception:  # it has none, or a hostile one: the call will tell
         return None
     try:
         signature.bind(*range(count))
     except TypeError:
-        return count, str(signature)[:200]
+        return count, plain_text(signature, 200)
     return None
 
 
@@ -196,9 +225,9 @@ class _Capped(io.TextIOBase):
         return True
 
     def write(self, text: str) -> int:
-        if len(self.text) < MAX_PRINTED:
-            self.text += text[: MAX_PRINTED - len(self.text)]
-        return len(text)
+        length = str.__len__(text)
+        self.text += str.__getitem__(text, slice(max(MAX_PRINTED - len(self.text), 0)))
+        return length
 
 
 def _called(answer: Any, given: Sequence[object]) -> tuple[object, Trouble | None, str, tuple[str, ...]]:
@@ -211,21 +240,18 @@ def _called(answer: Any, given: Sequence[object]) -> tuple[object, Trouble | Non
             try:
                 with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
                     value = answer(*given)
-            except (Exception, KeyboardInterrupt, SystemExit, TimeUp) as error:
+            except BaseException as error:  # SystemExit, TimeUp and what students derive from BaseException are its business too
                 trouble = _trouble(error)
     # a set first: a warning inside a loop comes back thousands of times
-    warned = tuple(sorted({f"{item.category.__name__}: {item.message}"[:MAX_MESSAGE] for item in caught[:1000]}))
-    return value, trouble, printed.text, warned[:MAX_WARNINGS]
+    warned = {f"{class_name(item.category)}: {plain_text(item.message)}"[:MAX_MESSAGE] for item in caught[:1000]}
+    return value, trouble, plain_text(printed.text, MAX_PRINTED), tuple(sorted(warned)[:MAX_WARNINGS])
 
 
 def _trouble(error: BaseException) -> Trouble:
-    builtin = next((base.__name__ for base in type(error).__mro__ if base.__module__ == "builtins"), "Exception")
-    try:
-        message = str(error)[:MAX_MESSAGE]
-    except Exception:
-        message = ""
+    bases = [(class_name(base), base) for base in type.mro(type(error))]
+    builtin = next((name for name, base in bases if getattr(builtins, name, None) is base), "Exception")
     line, number, function = _own_line(error.__traceback__)
-    return Trouble(type(error).__name__[:80], builtin, message, line, number, function)
+    return Trouble(type_name(error), builtin, plain_text(error, MAX_MESSAGE), line, number, function)
 
 
 def _own_line(traceback: TracebackType | None) -> tuple[str, int, str]:
@@ -234,8 +260,8 @@ def _own_line(traceback: TracebackType | None) -> tuple[str, int, str]:
     while traceback is not None:
         code = traceback.tb_frame.f_code
         if not code.co_filename.startswith((*_OWN_CODE, "<frozen", "<__array_function__")):
-            line = linecache.getline(code.co_filename, traceback.tb_lineno).strip()[:200]
-            own = (line, traceback.tb_lineno, code.co_name[:80])
+            line = plain_text(linecache.getline(code.co_filename, traceback.tb_lineno)).strip()[:200]
+            own = (line, traceback.tb_lineno, plain_text(code.co_name, 80))
         traceback = traceback.tb_next
     return own
 
@@ -252,12 +278,15 @@ def _alarm(seconds: float) -> Iterator[None]:
 
     before = signal.signal(signal.SIGALRM, ring)
     # it rings again every second: an answer with a bare `except:` may swallow the first one
-    signal.setitimer(signal.ITIMER_REAL, seconds, 1.0)
+    remaining, interval = signal.setitimer(signal.ITIMER_REAL, seconds, 1.0)
+    started = time.monotonic()
     try:
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        signal.signal(signal.SIGALRM, before or signal.SIG_DFL)
+        if remaining:  # somebody's alarm was under way already
+            signal.setitimer(signal.ITIMER_REAL, max(remaining - (time.monotonic() - started), 0.001), interval)
 
 
 def _symbolic_reply(answer: Any, question: Question) -> Reply:
@@ -271,7 +300,7 @@ def _symbolic_reply(answer: Any, question: Question) -> Reply:
     numbers = {symbol: sympy.Float(number) for symbol, number in zip(symbols, question.args, strict=True)}
     try:
         return Reply(plain(_substituted(value, numbers)), None, question.args, printed, warned)
-    except Exception as error:
+    except BaseException as error:
         return Reply(None, _trouble(error), question.args, printed, warned)
 
 

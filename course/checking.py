@@ -13,6 +13,7 @@ from typing import Any
 
 from course.answers import Interview, Question, find, interview
 from course.language import chosen_language
+from course.undisturbed import undisturbed
 from course.verdict import Verdict
 
 

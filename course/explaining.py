@@ -148,7 +148,7 @@ def _in_words(group: str, value: str) -> object:
         return _shape_in_words(value)
     if group.startswith("names"):
         return shown(", ".join(re.findall(r"'([^']*)'", value)))
-    return shown(value)
+    return shown(value.rpartition("<locals>.")[2])
 
 
 def _type_in_words(type_name: str) -> Text:

@@ -535,7 +535,7 @@ _NAMES = (
 _CALLS = (
     Row(
         "TypeError",
-        r"(?:.*<locals>\.)?(?P<function>[\w.<>]+)\(\) missing \d+ required [\w-]+ arguments?: (?P<names>.+)",
+        r"(?P<function>[\w.<>]+)\(\) missing \d+ required [\w-]+ arguments?: (?P<names>.+)",
         "{function}() was called without a value for {names}. Count the values in the call, and compare them with the def "
         "line or the documentation of {function}: each parameter needs one, in the same order.",
         "{function}() の呼び出しに、引数 {names} の値がありません。{function} の def の行やドキュメントと比べて、"
@@ -582,7 +582,7 @@ _CALLS = (
     ),
     Row(
         "TypeError",
-        r"(?:.*<locals>\.)?(?P<function>[\w.<>]+)\(\) takes (?P<amount>[\w ]+?) (?:positional )?arguments? (?:but |"
+        r"(?P<function>[\w.<>]+)\(\) takes (?P<amount>[\w ]+?) (?:positional )?arguments? (?:but |"
         r"\()(?P<given>\d+) ",
         "The number of arguments does not fit: {function}() takes {amount}, but the call gives {given}. Compare the call "
         "with the def line or the documentation of {function}; perhaps a comma or a pair of brackets is in the wrong place.",

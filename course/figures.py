@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from course.plain import MAX_TEXT, Plain
+from course.plain import Plain, plain_text
 
 MAX_LINES = 50
 MAX_POINTS = 200_000
@@ -14,7 +14,8 @@ MAX_POINTS = 200_000
 def is_axes(value: object) -> bool:
     """Is `value` a Matplotlib Axes?"""
     axes = sys.modules.get("matplotlib.axes")
-    return axes is not None and isinstance(value, axes.Axes)
+    # of the type, not isinstance: a value may lie about its class
+    return axes is not None and issubclass(type(value), axes.Axes)
 
 
 def axes_summary(axes: Any) -> dict[str, Plain]:
@@ -30,17 +31,13 @@ def axes_summary(axes: Any) -> dict[str, Plain]:
     return {
         "lines": [line for line in lines if line is not None],
         "points": [group for group in points if group is not None],
-        "labels": [_text(axes.get_xlabel()), _text(axes.get_ylabel())],
-        "title": _text(axes.get_title()),
-        "scales": [_text(axes.get_xscale()), _text(axes.get_yscale())],
+        "labels": [plain_text(axes.get_xlabel()), plain_text(axes.get_ylabel())],
+        "title": plain_text(axes.get_title()),
+        "scales": [plain_text(axes.get_xscale()), plain_text(axes.get_yscale())],
         "limits": np.array([*axes.get_xlim(), *axes.get_ylim()], dtype=float),
         "aspect": 0.0 if aspect == "auto" else float(aspect),
-        "legend": [] if legend is None else [_text(text.get_text()) for text in legend.get_texts()[:MAX_LINES]],
+        "legend": [] if legend is None else [plain_text(text.get_text()) for text in legend.get_texts()[:MAX_LINES]],
     }
-
-
-def _text(value: object) -> str:
-    return str(value)[:MAX_TEXT]
 
 
 def _series(xy: Any, artist: Any) -> dict[str, Plain] | None:
@@ -50,6 +47,6 @@ def _series(xy: Any, artist: Any) -> dict[str, Plain] | None:
         return None
     return {
         "xy": np.array(values, dtype=np.float64),
-        "label": _text(artist.get_label()),
+        "label": plain_text(artist.get_label()),
         "visible": bool(artist.get_visible()),
     }

@@ -16,6 +16,7 @@ from course.explaining import (
     explained_none,
     explained_odd,
     explained_trouble,
+    shown,
 )
 from course.language import Text
 from course.plain import Odd, Plain, identical, numeric
@@ -75,7 +76,7 @@ def call_fault(answered: Answered, question: Question, expected: Plain, reply: R
     if form is not None:
         return form
     if answered.warnings_are_faults and reply.warned:
-        return Fault("runs", _WARNED.format(name=answered.name, warning=reply.warned[0]))
+        return Fault("runs", _WARNED.format(name=answered.name, warning=shown(reply.warned[0])))
     given, right = numeric(reply.value), numeric(expected)
     assert given is not None
     assert right is not None

@@ -5,7 +5,7 @@ subclasses, masks, objects and comparison tricks are gone by then. What cannot b
 """
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,6 +13,11 @@ import numpy as np
 MAX_ELEMENTS = 5_000_000
 MAX_TEXT = 20_000
 MAX_DEPTH = 8
+
+#: exactly NumPy's own: a subclass could say anything
+_NUMPY_SCALARS = frozenset(np.sctypeDict.values())
+#: reads a class's true name, whatever its metaclass says
+_NAME = type.__dict__["__name__"]
 
 #: None, bool, int, float, str, numpy.ndarray (of kind b, i, u, f), list and dict of these, or Odd
 Plain = Any
@@ -25,36 +30,83 @@ class Odd(NamedTuple):
     type_name: str
 
 
+class _TooBigError(Exception):
+    """There is more in a value than an answer may hold."""
+
+
+class _Room:
+    """How many elements a value may still have, all its parts together: a list may hold itself a thousand times."""
+
+    def __init__(self) -> None:
+        self.left = MAX_ELEMENTS
+
+    def take(self, count: int) -> None:
+        self.left -= count
+        if self.left < 0:
+            raise _TooBigError
+
+
 def plain(value: object, depth: int = 0) -> Plain:
     """Return `value` as plain data; rectangular lists and tuples of numbers become arrays."""
+    try:
+        with np.errstate(all="ignore"):
+            return _stripped(value, depth, _Room())
+    except _TooBigError:
+        return Odd("too_big", type_name(value))
+
+
+def type_name(value: object) -> str:
+    """Return the name of the type of `value`."""
+    return class_name(type(value))
+
+
+def class_name(kind: type) -> str:
+    """Return the name of a class, which may be a hostile one."""
+    return plain_text(_NAME.__get__(kind), 80)
+
+
+def plain_text(value: object, longest: int = MAX_TEXT) -> str:
+    """Return str(value), shortened, as nothing but text; "" where that fails."""
+    try:
+        return str.__getitem__(str(value), slice(longest))
+    except Exception:
+        return ""
+
+
+def _stripped(value: object, depth: int, room: _Room) -> Plain:
     kind = type(value)
     if value is None or kind is bool or kind is float:
         return value
     if kind is int:
-        return value if -(2**63) <= value < 2**63 else _huge(value)  # type: ignore[operator]
+        return _whole(value)
     if kind is str:
         return value[:MAX_TEXT]  # type: ignore[index]
     if depth > MAX_DEPTH:
-        return Odd("too_deep", _type_name(value))
+        return Odd("too_deep", type_name(value))
     if kind is np.ndarray:
-        return _plain_array(value)  # type: ignore[arg-type]
-    if isinstance(value, np.generic) and kind.__module__ == "numpy":
-        return _plain_array(np.asarray(value))
-    if isinstance(value, list):
-        return _plain_sequence(list.__iter__(value), list.__len__(value), depth)
-    if isinstance(value, tuple):
-        return _plain_sequence(tuple.__iter__(value), tuple.__len__(value), depth)
-    if isinstance(value, dict):
-        return _plain_dict(value, depth)
-    return _plain_symbolic(value, depth)
+        return _plain_array(value, room)  # type: ignore[arg-type]
+    if kind in _NUMPY_SCALARS:
+        return _plain_array(np.asarray(value), room)
+    # of the type, not isinstance: a value may lie about its class
+    if issubclass(kind, list):
+        return _plain_sequence(list.__iter__(value), list.__len__(value), depth, room)  # type: ignore[arg-type]
+    if issubclass(kind, tuple):
+        return _plain_sequence(tuple.__iter__(value), tuple.__len__(value), depth, room)  # type: ignore[arg-type]
+    if issubclass(kind, dict):
+        return _plain_dict(value, depth, room)  # type: ignore[arg-type]
+    return _plain_symbolic(value, depth, room)
 
 
 def numeric(value: Plain) -> np.ndarray | None:
     """Return plain data as an array if it is numbers or truth values all through, else None."""
-    if isinstance(value, np.ndarray):
-        return value
-    if isinstance(value, bool | int | float):
+    kind = type(value)
+    if kind is np.ndarray:
+        array: np.ndarray = value
+        return array if array.dtype.kind in "biuf" else None
+    if kind is bool or kind is float:
         return np.asarray(value)
+    if kind is int:
+        return np.asarray(_whole(value))
     return None
 
 
@@ -71,11 +123,22 @@ def fresh(value: Plain) -> Plain:
 
 def as_given(value: object) -> Plain:
     """Return an input as it stands, lists as lists, so that it can be compared with what was handed over."""
-    if isinstance(value, list):
-        return [as_given(item) for item in value]
-    if isinstance(value, dict):
-        return {str(key): as_given(item) for key, item in value.items()}
-    return plain(value)
+    try:
+        return _standing(value, 0, _Room())
+    except _TooBigError:
+        return Odd("too_big", type_name(value))
+
+
+def _standing(value: object, depth: int, room: _Room) -> Plain:
+    if depth > MAX_DEPTH:
+        return Odd("too_deep", type_name(value))
+    if type(value) is list:
+        room.take(1 + len(value))
+        return [_standing(item, depth + 1, room) for item in value]
+    if type(value) is dict and all(type(key) is str for key in value):
+        room.take(1 + len(value))
+        return {key: _standing(item, depth + 1, room) for key, item in value.items()}
+    return _stripped(value, depth, room)
 
 
 def identical(a: Plain, b: Plain) -> bool:
@@ -88,42 +151,42 @@ def identical(a: Plain, b: Plain) -> bool:
         return len(a) == len(b) and all(map(identical, a, b))
     if isinstance(a, dict):
         return a.keys() == b.keys() and all(identical(a[key], b[key]) for key in a)
+    if isinstance(a, float):
+        # NaN is not equal to itself, but it has not changed
+        return a.hex() == b.hex()
     return bool(a == b)
 
 
-def _type_name(value: object) -> str:
-    return type(value).__name__[:80]
-
-
-def _huge(value: object) -> Plain:
+def _whole(value: Any) -> int | float:
+    """Return a Python integer; one beyond 64 bits as the nearest float."""
+    if -(2**63) <= value < 2**63:
+        return int(value)
     try:
-        return float(value)  # type: ignore[arg-type]
+        return float(value)
     except OverflowError:
         return float("inf")
 
 
-def _plain_array(array: np.ndarray) -> Plain:
+def _plain_array(array: np.ndarray, room: _Room) -> Plain:
     if array.dtype.kind == "O":
         return Odd("object_array", "ndarray")
     if array.dtype.kind == "c":
         return Odd("complex", "complex")
     if array.dtype.kind not in "biuf":
         return Odd("array_of", str(array.dtype)[:80])
-    if array.size > MAX_ELEMENTS:
-        return Odd("too_big", "ndarray")
-    if array.dtype.kind == "f" and array.dtype.itemsize > 8:  # a long double: eight bytes are what crosses
-        array = array.astype(np.float64)
-    return np.array(array, dtype=array.dtype.newbyteorder("="), order="C", copy=True)
+    room.take(array.size)
+    # a long double: eight bytes are what crosses; by its character, which leaves byte order and metadata behind
+    dtype = np.float64 if array.dtype.char == "g" else np.dtype(array.dtype.char)
+    return np.array(array, dtype=dtype, order="C", copy=True)
 
 
-def _plain_sequence(items: Iterable[object], length: int, depth: int) -> Plain:
-    if length > MAX_ELEMENTS:
-        return Odd("too_big", "list")
+def _plain_sequence(items: Iterable[object], length: int, depth: int, room: _Room) -> Plain:
+    room.take(1 + length)
     values = list(items)
     kinds = set(map(type, values))
-    if kinds <= {float} or kinds in ({int}, {bool}):
+    if kinds <= {float, int} or kinds == {bool}:
         return _array_of_scalars(values)
-    parts = [plain(value, depth + 1) for value in values]
+    parts = [_stripped(value, depth + 1, room) for value in values]
     arrays = [numeric(part) for part in parts]
     if all(array is not None for array in arrays) and len({array.shape for array in arrays}) == 1:  # type: ignore[union-attr]
         return np.stack(arrays)  # type: ignore[arg-type]
@@ -135,25 +198,26 @@ def _array_of_scalars(values: list[Any]) -> np.ndarray:
         return np.zeros(0)
     array = np.array(values)
     # integers beyond 64 bits make an object array
-    return np.array([_huge(value) for value in values]) if array.dtype.kind == "O" else array
+    return np.array([float(_whole(value)) for value in values]) if array.dtype.kind == "O" else array
 
 
-def _plain_dict(value: Mapping[Any, Any], depth: int) -> Plain:
-    items: Iterable[tuple[Any, Any]] = list(dict.items(value))  # type: ignore[arg-type]
+def _plain_dict(value: dict[Any, Any], depth: int, room: _Room) -> Plain:
+    items = list(dict.items(value))
+    room.take(1 + len(items))
     if not all(type(key) is str for key, _ in items):
-        return Odd("dict_keys", _type_name(value))
-    return {key[:MAX_TEXT]: plain(item, depth + 1) for key, item in items}
+        return Odd("dict_keys", type_name(value))
+    return {key[:MAX_TEXT]: _stripped(item, depth + 1, room) for key, item in items}
 
 
-def _plain_symbolic(value: object, depth: int) -> Plain:
+def _plain_symbolic(value: Any, depth: int, room: _Room) -> Plain:
     """SymPy's numbers count as numbers, its columns as tuples; everything else is odd."""
-    sympy = sys.modules.get("sympy")
-    if sympy is not None and isinstance(value, sympy.MatrixBase):
+    sympy, kind = sys.modules.get("sympy"), type(value)
+    if sympy is not None and issubclass(kind, sympy.MatrixBase):
         rows = value.tolist()
-        return plain([row[0] for row in rows] if value.shape[1] == 1 else rows, depth + 1)
-    if sympy is not None and isinstance(value, sympy.Expr):
+        return _stripped([row[0] for row in rows] if value.shape[1] == 1 else rows, depth + 1, room)
+    if sympy is not None and issubclass(kind, sympy.Expr):
         return _symbolic_number(value)
-    return Odd(_kind_of(value), _type_name(value))
+    return Odd(_kind_of(value), type_name(value))
 
 
 def _symbolic_number(expression: Any) -> Plain:
@@ -162,20 +226,21 @@ def _symbolic_number(expression: Any) -> Plain:
     try:
         return float(expression)
     except (TypeError, ValueError, OverflowError):
-        return Odd("symbolic", _type_name(expression))
+        return Odd("symbolic", type_name(expression))
 
 
 def _kind_of(value: object) -> str:
-    if isinstance(value, np.ma.MaskedArray):
+    kind = type(value)
+    if issubclass(kind, np.ma.MaskedArray):
         return "masked"
-    if isinstance(value, np.ndarray):
+    if issubclass(kind, np.ndarray):
         return "array_subclass"
-    if isinstance(value, complex):
+    if issubclass(kind, complex):
         return "complex"
-    if isinstance(value, type):
+    if issubclass(kind, type):
         return "class"
     if callable(value):
         return "function"
-    if hasattr(type(value), "__next__"):
+    if hasattr(kind, "__next__"):
         return "iterator"
     return "other"

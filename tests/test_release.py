@@ -15,7 +15,15 @@ from autograder.reference import NOTEBOOKS, WRITTEN
 ROOT = Path(__file__).resolve().parents[1]
 #: so many equal tokens in a row are no accident; shorter runs are idioms such as np.array([x, y, theta])
 RUN = 16
-_SKIPPED = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING, tokenize.ENDMARKER}
+_SKIPPED = {
+    tokenize.COMMENT,
+    tokenize.NL,
+    tokenize.NEWLINE,
+    tokenize.INDENT,
+    tokenize.DEDENT,
+    tokenize.ENCODING,
+    tokenize.ENDMARKER,
+}
 
 
 def tokens(code: str) -> list[str]:
@@ -84,7 +92,9 @@ def test_no_solution_is_released(visible):
 
 
 def test_nothing_of_the_hidden_module_is_released(visible):
-    leaks = {f"{name}: {' '.join(run)}": visible[run] for name, code in references().items() for run in runs(code) if run in visible}
+    leaks = {
+        f"{name}: {' '.join(run)}": visible[run] for name, code in references().items() for run in runs(code) if run in visible
+    }
     assert leaks == {}
 
 

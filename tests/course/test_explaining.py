@@ -50,10 +50,10 @@ def namespace() -> dict[str, Any]:
 
 def trouble_of(code: str) -> Trouble:
     """Return the trouble in which a student's function with these lines ends."""
-    source = "def answer():\n" + textwrap.indent(code, "    ") + "\n"
+    source = "def answer(a=a, n=n, values=values, frozen=frozen):\n" + textwrap.indent(code, "    ") + "\n"
     file = f"<cell {code}>"
     linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
-    names = namespace()
+    names = {"__name__": "__main__", **namespace()}
     exec(compile(source, file, "exec"), names)
     trouble = reply_to(names["answer"], Question(())).trouble
     assert trouble is not None, f"{code} raises nothing"
@@ -101,7 +101,7 @@ RAISED = [
     ("from math import arctan2", "Use math.atan2 instead", "math.atan2 を使いましょう"),
     ("from math import squrt", "is sqrt meant", "sqrt の打ち間違い"),
     ("from math import nonsense", "math has no nonsense", "math に nonsense はありません"),
-    ("import course.answers as c\nfrom .course import x", "An import failed", "import に失敗しました"),
+    ("from .course import x", "An import failed", "import に失敗しました"),
     # calls
     ("f = lambda p, q: p\nreturn f(1)", "without a value for q", "引数 q の値がありません"),
     ("def f(p, q): return p\nreturn f()", "without a value for p, q", "引数 p, q の値がありません"),
@@ -298,7 +298,7 @@ RAISED = [
     ("return a[[True, False]]", "condition in the square brackets is of another length", "条件と配列の長さが違います"),
     ("return [].pop()", "pop() was called on an empty list", "空のリストに pop()"),
     ("return '{} {}'.format(1)", "more places {} than values", "書式の {} の数"),
-    ("return sp.eye(2)[9]", "does not exist: Index out of range", "存在しない要素"),
+    ("return sp.eye(2)[9]", "does not exist: index out of range", "存在しない要素"),
     ("return d['y']", "no entry 'y'", "辞書に 'y' というキー"),
     ("raise KeyError", "no such entry", "そのキーはありません"),
     # arithmetic
@@ -367,7 +367,7 @@ RAISED = [
     ("return np.ndarray.nothing", "The name after the dot does not exist", "ドットの後ろの名前が見つかりません"),
     # everything else
     ("assert k == 4, 'four expected'", "assert in your own code failed: four expected", "assert が失敗しました: four expected"),
-    ("assert k == 4", "The condition after assert was not true".replace("The", "the"), "assert の条件が成り立ちません"),
+    ("assert k == 4", "failed: the condition after assert was not true", "assert の条件が成り立ちません"),
     ("def f(): return f()\nreturn f()", "calls itself again and again", "自分自身を呼び続けて"),
     ("return np.zeros(10**13)", "The memory is not enough", "メモリが足りません"),
     ("raise TimeUp", "did not finish in time", "時間内に終わらなかった"),
@@ -667,7 +667,7 @@ ODD = [
 ]
 
 
-@pytest.mark.parametrize(("value", "english", "japanese"), ODD, ids=[repr(case[0])[:40] for case in ODD])
+@pytest.mark.parametrize(("value", "english", "japanese"), ODD, ids=[case[1] for case in ODD])
 def test_a_value_that_is_no_plain_number_is_told(value, english, japanese):
     odd = plain(value)
     assert isinstance(odd, Odd)

@@ -1,0 +1,84 @@
+"""A student works in JupyterLab: opens a notebook, runs it, writes an answer, and is told how it stands."""
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from .conftest import TOKEN
+
+pytestmark = pytest.mark.browser
+
+WRONG = """def pose_step(pose, distance, dtheta):
+x, y, theta = pose
+return [x + distance * np.sin(theta), y + distance * np.cos(theta), theta + dtheta]"""
+RIGHT = WRONG.replace("np.sin", "np.COS").replace("np.cos", "np.sin").replace("np.COS", "np.cos")
+
+
+def open_notebook(page: Page, address: str, path: str) -> None:
+    page.goto(f"{address}/lab/tree/{path}?token={TOKEN}")
+    page.wait_for_selector(".jp-Notebook .jp-Cell")
+    page.wait_for_function("window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.status === 'idle'")
+    page.evaluate("jupyterapp.commands.execute('apputils:dismiss-all-notifications').catch(() => {})")
+
+
+def run_all(page: Page) -> None:
+    """Run all cells, as the menu does; it ends at the first check that fails."""
+    page.evaluate("jupyterapp.commands.execute('notebook:run-all-cells')")
+
+
+def select_cell(page: Page, start: str) -> None:
+    """Make the cell whose source begins with `start` the active one and scroll to it."""
+    index = page.evaluate(
+        """async start => {
+            const notebook = jupyterapp.shell.currentWidget.content;
+            const index = notebook.widgets.findIndex(cell => cell.model.sharedModel.source.startsWith(start));
+            notebook.activeCellIndex = index;
+            await notebook.scrollToItem(index, 'center');
+            return index;
+        }""",
+        start,
+    )
+    assert index >= 0, start
+
+
+def write_answer(page: Page, start: str, code: str) -> None:
+    """Type over the active answer, as a student does."""
+    select_cell(page, start)
+    editor = page.locator(".jp-Cell.jp-mod-active .cm-content")
+    editor.click()
+    page.keyboard.press("Control+A")
+    page.keyboard.press("Delete")
+    for number, line in enumerate(code.splitlines()):
+        if number:
+            page.keyboard.press("Enter")
+        page.keyboard.insert_text(line)
+
+
+def run_cell(page: Page) -> None:
+    page.evaluate("jupyterapp.commands.execute('notebook:run-cell')")
+
+
+@pytest.mark.parametrize(
+    ("language", "failed", "passed", "told"),
+    [
+        ("en", "not right yet", "correct", "sin and cos are exchanged"),
+        ("ja", "まだ正しくありません", "正解です", "sin と cos が入れ替わっています"),
+    ],
+)
+def test_answer_turns_the_check_green(page, lab, language, failed, passed, told):
+    open_notebook(page, lab, f"{language}/odometry/pose_update.ipynb")
+    run_all(page)
+    stub = page.locator(".check-failed").first
+    expect(stub).to_contain_text(failed)
+
+    write_answer(page, "def pose_step(pose", WRONG)
+    run_cell(page)
+    select_cell(page, 'check("pose_step")')
+    run_cell(page)
+    expect(page.locator(".check-partly").first).to_contain_text(told)
+
+    write_answer(page, "def pose_step(pose", RIGHT)
+    run_cell(page)
+    select_cell(page, 'check("pose_step")')
+    run_cell(page)
+    expect(page.locator(".check-passed").first).to_contain_text(passed)
+    assert page.locator(".jp-Cell.jp-mod-active .jp-RenderedText[data-mime-type*='stderr']").count() == 0
