@@ -142,7 +142,7 @@ def _put_aside(formulas: list[str], mark: str, around: str) -> Callable[..., str
     def rendered(renderer: object, tokens: Sequence[Any], index: int, *_: object) -> str:
         inert = _LIKE_TAG_OR_LINK.sub(r"\g<0> ", tokens[index].content)
         formulas.append(f"{around}{inert}{around}")
-        return f"{mark}{len(formulas) - 1}z"
+        return f"{mark}{len(formulas) - 1}z" + ("\n" if tokens[index].block else "")
 
     return rendered
 

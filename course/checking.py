@@ -12,8 +12,8 @@ from importlib.util import find_spec
 from typing import Any
 
 from course.answers import Interview, Question, find, interview
+from course.examples import verdict_from_examples
 from course.language import chosen_language
-from course.undisturbed import undisturbed
 from course.verdict import Verdict
 
 
@@ -64,14 +64,16 @@ def check(name: str) -> Result:
 
 
 def _judge_in_reach() -> Callable[[str, Callable[[Sequence[Question]], Interview]], Verdict]:
-    if find_spec("autograder") is not None and find_spec("autograder.reference") is not None:
-        # the one place where course looks at the autograder: in a full clone it is there, in a bundle it is not
-        from autograder.judging import judged_by_name
+    try:
+        found = find_spec("autograder.reference") is not None
+    except ModuleNotFoundError:  # no autograder, or a student's file of that name
+        found = False
+    if not found:
+        return verdict_from_examples
+    # the one place where course looks at the autograder: in a full clone it is there, in a bundle it is not
+    from autograder.judging import judged_by_name
 
-        return judged_by_name
-    from course.examples import verdict_from_examples
-
-    return verdict_from_examples
+    return judged_by_name
 
 
 def _notebook(frame: Any) -> tuple[dict[str, object], list[str]]:
@@ -79,7 +81,9 @@ def _notebook(frame: Any) -> tuple[dict[str, object], list[str]]:
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython is not None else None
     if shell is not None:
-        return shell.user_ns, [str(cell) for cell in shell.user_ns.get("In", [])]
+        cells = shell.user_ns.get("In")
+        # a notebook may have used the name for something else
+        return shell.user_ns, [cell for cell in cells if isinstance(cell, str)] if isinstance(cells, list) else []
     while frame is not None and frame.f_globals.get("__name__", "").startswith("course."):
         frame = frame.f_back
     return (frame.f_globals if frame is not None else {}), []

@@ -17,6 +17,7 @@ from course.ladder import Answered, Fault, call_fault, entry_fault
 from course.language import Text
 from course.plain import Plain, numeric
 from course.tolerances import Tolerance
+from course.undisturbed import undisturbed
 from course.verdict import Verdict
 
 FILE = Path(__file__).with_name("examples.json")
@@ -39,18 +40,8 @@ def verdict_from_examples(name: str, ask: Callable[[Sequence[Question]], Intervi
         raise KeyError(f"no exercise is called {name!r}; there are: {', '.join(entries)}")
     answered, questions, expected = entries[name]
     talk = ask(questions)
-    fault = entry_fault(answered, talk)
-    if fault is not None:
-        return Verdict(name, 0.0, fault.text, rung=fault.rung, public=True)
-    for question, right, reply in zip(questions, expected, talk.replies, strict=False):
-        fault = call_fault(answered, question, right, reply)
-        if fault is not None:
-            text = _fault_text(answered, questions, expected, talk, fault)
-            shown = {"name": name, "args": ", ".join(map(shown_value, question.args))}
-            example = _WRONG.format(given=shown_value(reply.value), expected=shown_value(right), **shown)
-            text += example if fault.rung == "value" else _WHERE.format(**shown)
-            return Verdict(name, 0.0, text, rung=fault.rung, public=True)
-    return Verdict(name, 1.0, _PASSED.format(count=len(questions)), public=True)
+    with undisturbed():
+        return _verdict(answered, questions, expected, talk)
 
 
 def shown_value(value: Plain) -> str:
@@ -83,6 +74,23 @@ def restored(value: Any) -> Plain:
             return np.array(value["array"], dtype=value["dtype"])
         return {key: restored(item) for key, item in value["dict"].items()}
     return [restored(item) for item in value] if isinstance(value, list) else value
+
+
+def _verdict(answered: Answered, questions: Sequence[Question], expected: Sequence[Plain], talk: Interview) -> Verdict:
+    """Return the verdict on an interview that put the questions of all the examples."""
+    name = answered.name
+    fault = entry_fault(answered, talk)
+    if fault is not None:
+        return Verdict(name, 0.0, fault.text, rung=fault.rung, public=True)
+    for question, right, reply in zip(questions, expected, talk.replies, strict=False):
+        fault = call_fault(answered, question, right, reply)
+        if fault is not None:
+            text = _fault_text(answered, questions, expected, talk, fault)
+            shown = {"name": name, "args": ", ".join(map(shown_value, question.args))}
+            example = _WRONG.format(given=shown_value(reply.value), expected=shown_value(right), **shown)
+            text += example if fault.rung == "value" else _WHERE.format(**shown)
+            return Verdict(name, 0.0, text, rung=fault.rung, public=True)
+    return Verdict(name, 1.0, _PASSED.format(count=len(questions)), public=True)
 
 
 def _fault_text(

@@ -1,10 +1,12 @@
 """Running notebook cells as IPython runs them, without a kernel: the outputs come back as plain dictionaries."""
 
+import base64
 import contextlib
 import io
+import itertools
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from IPython.core.displayhook import DisplayHook
@@ -14,22 +16,22 @@ from traitlets import Type
 from traitlets.config import Config
 
 MAX_TEXT = 100_000
+MAX_PICTURES = 8 * 2**20
 MAX_OUTPUTS = 200
 
 Output = dict[str, Any]
 
 
 class Outputs:
-    """What the cell that runs now has put out; capped, so that a flood costs no memory."""
+    """What the cell that runs now has put out; capped, so that a flood costs no memory and fits into one message."""
 
     def __init__(self) -> None:
-        self.items: list[Output] = []
-        self._room = MAX_TEXT
+        self.clear()
 
     def clear(self) -> None:
         """Begin a new cell."""
-        self.items = []
-        self._room = MAX_TEXT
+        self.items: list[Output] = []
+        self._text, self._pictures = MAX_TEXT, MAX_PICTURES
 
     def add(self, output: Output) -> None:
         """Append one output, if there is room for it."""
@@ -38,13 +40,36 @@ class Outputs:
 
     def stream(self, name: str, text: str) -> None:
         """Append printed text, joined to what the same stream just wrote."""
-        text, self._room = text[: self._room], self._room - min(len(text), self._room)
+        text = self._fitted(text)
         if not text:
             return
         if self.items and self.items[-1].get("name") == name:
             self.items[-1]["text"] += text
         else:
             self.add({"output_type": "stream", "name": name, "text": text})
+
+    def display(self, kind: str, data: Mapping[str, Any]) -> None:
+        """Append what was displayed: its text and its picture, which is all that is ever shown of it."""
+        shown = {}
+        text, picture = data.get("text/plain"), data.get("image/png")
+        if isinstance(text, str):
+            shown["text/plain"] = self._fitted(text)
+        if isinstance(picture, bytes):
+            picture = base64.b64encode(picture).decode()
+        if isinstance(picture, str) and len(picture) <= self._pictures:
+            self._pictures -= len(picture)
+            shown["image/png"] = picture
+        self.add({"output_type": kind, "data": shown})
+
+    def error(self, name: str, value: str, traceback: Iterable[str]) -> None:
+        """Append an exception."""
+        lines = [self._fitted(line) for line in itertools.islice(traceback, 60)]
+        self.add({"output_type": "error", "ename": name[:200], "evalue": value[:2000], "traceback": lines})
+
+    def _fitted(self, text: str) -> str:
+        text = text[: self._text]
+        self._text -= len(text)
+        return text
 
 
 class _Stream(io.TextIOBase):
@@ -63,7 +88,7 @@ class _Publisher(DisplayPublisher):
     outputs: Outputs
 
     def publish(self, data: Any, metadata: Any = None, *_: Any, **__: Any) -> None:
-        self.outputs.add({"output_type": "display_data", "data": dict(data), "metadata": {}})
+        self.outputs.display("display_data", data)
 
     def clear_output(self, wait: bool = False) -> None:
         self.outputs.clear()
@@ -76,7 +101,7 @@ class _Hook(DisplayHook):
         """Print no prompt: a notebook shows it beside the output."""
 
     def write_format_data(self, format_dict: dict[str, Any], md_dict: Any = None) -> None:
-        self.outputs.add({"output_type": "execute_result", "data": dict(format_dict), "metadata": {}})
+        self.outputs.display("execute_result", format_dict)
 
 
 class _Shell(InteractiveShell):
@@ -89,25 +114,26 @@ class _Shell(InteractiveShell):
     def enable_gui(self, gui: Any = None) -> None:
         """Do nothing: figures are drawn inline, and there are no windows here."""
 
+    def ask_exit(self) -> None:
+        """Go on: what comes after exit() is graded too."""
+
     def _showtraceback(self, etype: type, evalue: BaseException, stb: Any) -> None:
-        self.outputs.add(
-            {
-                "output_type": "error",
-                "ename": str(etype.__name__)[:200],
-                "evalue": str(evalue)[:2000],
-                "traceback": [str(line)[:5000] for line in list(stb)[:60]],
-            }
-        )
+        try:
+            value = str(evalue)
+        except Exception:
+            value = ""
+        self.outputs.error(str(etype.__name__), value, map(str, stb))
 
 
 class Cells:
-    """One notebook's namespace, and the running of its cells."""
+    """One notebook's namespace, and the running of its cells; `sources` are those run so far."""
 
     def __init__(self) -> None:
         config = Config()
         config.HistoryManager.enabled = False
         config.InteractiveShell.colors = "nocolor"
         self._outputs = Outputs()
+        self.sources: list[str] = []
         self._shell = _Shell.instance(config=config)
         for part in (self._shell, self._shell.displayhook, self._shell.display_pub):
             part.outputs = self._outputs
@@ -119,18 +145,21 @@ class Cells:
         names: dict[str, object] = self._shell.user_ns
         return names
 
-    @property
-    def sources(self) -> list[str]:
-        """Return the sources of the cells run so far."""
-        return [str(source) for source in self._shell.user_ns.get("In", [])]
-
     def run(self, source: str, seconds: float) -> list[Output]:
         """Run one cell for at most `seconds` and return its outputs."""
         self._outputs.clear()
+        self.sources.append(self._without_magics(source))
         streams = _Stream(self._outputs, "stdout"), _Stream(self._outputs, "stderr")
         with contextlib.redirect_stdout(streams[0]), contextlib.redirect_stderr(streams[1]), _time_limit(seconds):
             self._shell.run_cell(source, store_history=True)
         return self._outputs.items
+
+    def _without_magics(self, source: str) -> str:
+        """Return a cell as Python reads it, so that what it defines can be looked up."""
+        try:
+            return str(self._shell.transform_cell(source))
+        except Exception:  # it will not run either
+            return source
 
 
 @contextlib.contextmanager

@@ -5,6 +5,7 @@ it; anything unexpected raises `WireError`, and the other side is not believed a
 """
 
 import json
+import math
 import struct
 from collections.abc import Callable
 from dataclasses import asdict
@@ -74,14 +75,17 @@ class _Arrays:
     def take(self, dtype: str, shape: list[int]) -> np.ndarray:
         if dtype not in _DTYPES or len(shape) > MAX_DEPTH or any(type(n) is not int or not 0 <= n <= MAX_ARRAYS for n in shape):
             raise WireError("no such array")
-        size = np.dtype(dtype).itemsize
-        for length in shape:
-            size *= length
+        count = math.prod(shape)
+        size = np.dtype(dtype).itemsize * count
         if size > len(self._data) - self._start:
             raise WireError("array longer than its frame")
-        chunk = self._data[self._start : self._start + size]
+        if count == 0 and max(shape) > MAX_ARRAYS // 2**8:
+            raise WireError("an empty array of such a shape")
+        flat = np.frombuffer(self._data, dtype, count, self._start) if count else np.empty(0, dtype)
         self._start += size
-        return np.frombuffer(chunk, dtype=dtype).reshape(shape).copy()
+        if dtype == "bool" and flat.view(np.uint8).max(initial=0) > 1:
+            raise WireError("neither true nor false")
+        return flat.reshape(shape).copy()
 
 
 def _packed(value: Plain, blobs: list[bytes]) -> Any:
@@ -102,13 +106,17 @@ def _unpacked(value: Any, arrays: _Arrays, depth: int) -> Plain:
         raise WireError("nested too deeply")
     if isinstance(value, list):
         return [_unpacked(item, arrays, depth + 1) for item in value]
+    if isinstance(value, str):
+        return _encodable(value)
+    if type(value) is int and not -(2**63) <= value < 2**64:
+        raise WireError("a number of more than 64 bits")
     if not isinstance(value, dict):
         return value
     match value:
         case {"@": "array", "dtype": str(dtype), "shape": list(shape)}:
             return arrays.take(dtype, shape)
         case {"@": "odd", "kind": str(kind), "type_name": str(type_name)}:
-            return Odd(kind[:80], type_name[:80])
+            return Odd(_encodable(kind[:80]), _encodable(type_name[:80]))
         case {"@": "dict", "items": list(items)}:
             return dict(_item(item, arrays, depth) for item in items)
     raise WireError("no such kind of value")
@@ -117,8 +125,13 @@ def _unpacked(value: Any, arrays: _Arrays, depth: int) -> Plain:
 def _item(item: Any, arrays: _Arrays, depth: int) -> tuple[str, Plain]:
     match item:
         case [str(key), inner]:
-            return key, _unpacked(inner, arrays, depth + 1)
+            return _encodable(key), _unpacked(inner, arrays, depth + 1)
     raise WireError("a dictionary's item is a name and a value")
+
+
+def _encodable(text: str) -> str:
+    r"""Return text in which halves of surrogate pairs, which no file and no database takes, are written out as \ud800."""
+    return text if text.isascii() else text.encode(errors="backslashreplace").decode()
 
 
 def packed_questions(questions: tuple[Question, ...]) -> list[dict[str, Plain]]:
@@ -160,9 +173,29 @@ def unpacked_interview(data: Plain) -> Interview:
                 kind=kind[:80],
                 mismatch=_mismatch(mismatch),
                 replies=tuple(map(_reply, replies)),
-                figure=figure if isinstance(figure, dict) else None,
+                figure=_figure(figure),
             )
     raise WireError("not an interview")
+
+
+def _figure(data: Plain) -> dict[str, Plain] | None:
+    """Return the summary of a graph, as course.figures.axes_summary makes it."""
+    match data:
+        case None:
+            return None
+        case {
+            "lines": list(lines), "points": list(points), "labels": [str(_), str(_)], "title": str(_), "scales": [str(_), str(_)],
+            "limits": np.ndarray(shape=(4,)), "aspect": float(_), "legend": list(legend),
+        } if all(map(_is_series, [*lines, *points])) and all(isinstance(text, str) for text in legend):  # fmt: skip
+            return data
+    raise WireError("not the summary of a graph")
+
+
+def _is_series(data: Plain) -> bool:
+    match data:
+        case {"xy": np.ndarray(ndim=2) as xy, "label": str(_), "visible": bool(_)}:
+            return xy.shape[1] == 2
+    return False
 
 
 def _missing(data: Plain) -> Missing | None:
@@ -195,6 +228,6 @@ def _trouble(data: Plain) -> Trouble | None:
 def _reply(data: Plain) -> Reply:
     match data:
         case {"value": value, "trouble": trouble, "inputs": list(inputs), "printed": str(printed), "warned": list(warned)}:
-            texts = tuple(str(text)[:500] for text in warned[:5])
+            texts = tuple(text[:500] for text in warned[:5] if isinstance(text, str))
             return Reply(value, _trouble(trouble), tuple(inputs), printed[:2000], texts)
     raise WireError("not a reply")

@@ -32,7 +32,7 @@ def cases(rng):
             ],
         ]
 
-    listed = drive(rng, (-1, 1, 2), "gentle", (False, False), right_ahead=False)
+    listed = drive(rng, (-1, 1, 2), "gentle", (False, False), right_ahead=True)
     return [
         Group(Text("a gentle turn to the left", "緩やかな左旋回"), 3, logs("gentle")),
         Group(Text("a turn about the left wheel", "左車輪を中心とする旋回"), 2, logs("pivot")),
@@ -61,7 +61,7 @@ def drive(rng, robot, turn, rests, right_ahead):
     in_turn = np.rint(in_turn * [[1.0], [share]])
     before, after = (np.zeros((2, rows if rest else 0)) for rows, rest in zip(resting, rests, strict=True))
     wheels = np.concatenate([before, alike(rng, speed, straight, right_ahead), in_turn, after], axis=1)
-    wheels = wheels * [[robot[0]], [robot[1]]]
+    wheels = wheels * [[robot[0]], [robot[1]]] + 0.0  # no negative zeros
     first, second = wheels if robot[2] == 1 else wheels[::-1]
     count = len(first)
     pwm = rng.integers(-100, 101, (2, count)).astype(float)
