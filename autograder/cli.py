@@ -12,6 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 from rich.table import Table
 
 from autograder.grading import GradedNotebook, Result
+from autograder.session import Limits
 
 app = typer.Typer(
     help="Build the notebooks, grade a class, and see what became of it. Run it in the root of the course.",
@@ -83,6 +84,7 @@ def check(
     from autograder.grading import Work, graded_submission
     from autograder.intake import UnreadableError, submitted_bytes
     from autograder.reference import NOTEBOOKS
+    from autograder.session import NoSandboxError
 
     assignment = next((key.partition("/")[0] for key in NOTEBOOKS if key.partition("/")[2] == notebook.stem), None)
     if assignment is None:
@@ -95,7 +97,10 @@ def check(
         release = release_notebooks(root.resolve(), assignment)
     except (UnreadableError, MissingReleaseError) as error:
         _fail(f"{notebook}: {error}")
-    [graded] = graded_submission(Work("-", assignment, {notebook.stem: content}, release, not no_sandbox))
+    try:
+        [graded] = graded_submission(Work("-", assignment, {notebook.stem: content}, release, not no_sandbox))
+    except NoSandboxError as error:
+        _fail(str(error))
     output.print(exercise_table(graded))
 
 
@@ -107,12 +112,17 @@ def demo(
 ) -> None:
     """Make a sample class of 12 with known mistakes in build/demo/, grade it, and compare with what each should get."""
     from autograder.gradebook import given_scores
-    from autograder.sample import compared_rows, make_class
+    from autograder.engine import MissingReleaseError, release_notebooks
+    from autograder.sample import ASSIGNMENT, LIMITS, compared_rows, make_class
 
+    try:
+        release_notebooks(root.resolve(), ASSIGNMENT)
+    except MissingReleaseError as error:
+        _fail(str(error))
     folder = make_class(root.resolve())
-    results = grade_class(folder, "odometry", workers=workers, sandbox=not no_sandbox)
+    results = grade_class(folder, ASSIGNMENT, workers=workers, sandbox=not no_sandbox, limits=LIMITS)
     write_json(folder / "results.json", results)
-    rows = compared_rows(given_scores(folder, "odometry", results))
+    rows = compared_rows(given_scores(folder, ASSIGNMENT, results))
     table = Table(title="Sample class: expected against given", caption=f"gradebook: {folder / 'gradebook.db'}")
     for column in ("student", "language", "exercise", "handed in", "expected", "given", "recognised as", ""):
         table.add_column(column, overflow="fold")
@@ -127,13 +137,26 @@ def demo(
     )
 
 
-def grade_class(root: Path, assignment: str, student: str = "*", workers: int = 0, sandbox: bool = True) -> list[Result]:
+def grade_class(  # noqa: PLR0913 - the options of the command
+    root: Path,
+    assignment: str,
+    student: str = "*",
+    workers: int = 0,
+    sandbox: bool = True,
+    limits: Limits | None = None,
+) -> list[Result]:
     """Grade a class with a progress bar and return all results, by student."""
-    from autograder.engine import MissingReleaseError, Options, graded, students_with
+    from autograder.engine import MissingReleaseError, Options, graded, release_notebooks, students_with
     from autograder.gradebook import GradebookWriter
     from autograder.registering import RegistrationError
+    from autograder.session import NoSandboxError
 
+    try:
+        release_notebooks(root, assignment)
+    except (KeyError, MissingReleaseError) as error:
+        _fail(str(error.args[0]))
     _need_sandbox(sandbox)
+    options = Options(student, workers, sandbox, limits or Limits())
     try:
         students = students_with(root, assignment, student)
         if not students:
@@ -145,12 +168,12 @@ def grade_class(root: Path, assignment: str, student: str = "*", workers: int = 
         results: dict[str, list[Result]] = {}
         with bar, GradebookWriter(root, assignment) as gradebook:
             task = bar.add_task("", total=len(students))
-            for name, notebooks in graded(root, assignment, Options(student, workers, sandbox)):
+            for name, notebooks in graded(root, assignment, options):
                 gradebook.write(name, notebooks)
                 results[name] = [result for notebook in notebooks for result in notebook.results]
                 bar.update(task, advance=1, description=escape(name[:30]))
-    except (KeyError, MissingReleaseError, RegistrationError) as error:
-        _fail(str(error.args[0]))
+    except (NoSandboxError, RegistrationError) as error:
+        _fail(str(error))
     except KeyboardInterrupt:
         _fail("Stopped. What was graded so far is in the gradebook; type the same command again for the rest.")
     return [result for name in students for result in results[name]]

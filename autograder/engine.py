@@ -63,8 +63,13 @@ def submitted_notebooks(root: Path, student: str, assignment: str) -> dict[str, 
     return {name: _bytes_or_reason(folder / f"{name}.ipynb") for name in notebook_names(assignment)}
 
 
-def graded(root: Path, assignment: str, options: Options) -> Iterator[tuple[str, list[GradedNotebook]]]:
-    """Grade the class and yield (student, graded notebooks) as they are done. Only so many submissions are in memory at a time."""
+def graded(
+    root: Path, assignment: str, options: Options, executor: Executor | None = None
+) -> Iterator[tuple[str, list[GradedNotebook]]]:
+    """Grade the class and yield (student, graded notebooks) as they are done. Only so many submissions are in memory at a time.
+
+    `executor` runs the submissions; None: processes on this machine, for the time that it takes.
+    """
     release = release_notebooks(root, assignment)
     students = students_with(root, assignment, options.student)
     workers = min(options.workers or os.cpu_count() or 1, max(len(students), 1))
@@ -80,6 +85,9 @@ def graded(root: Path, assignment: str, options: Options) -> Iterator[tuple[str,
         )
         for number, student in enumerate(students)
     )
+    if executor is not None:
+        yield from _streamed(executor, works, 2 * workers)
+        return
     # spawned, not forked: a progress bar has threads
     with ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn")) as pool:
         yield from _streamed(pool, works, 2 * workers)
@@ -106,7 +114,4 @@ def _bytes_or_reason(path: Path) -> bytes | Text:
     try:
         return submitted_bytes(path)
     except UnreadableError as error:
-        return _NOT_HANDED_IN if not path.exists() else error.reason
-
-
-_NOT_HANDED_IN = Text("This notebook was not handed in.", "このノートブックは提出されていません。")
+        return error.reason

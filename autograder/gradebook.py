@@ -1,15 +1,17 @@
 """Writing results into nbgrader's gradebook and autograded/: one writer, one transaction for each submission."""
 
+import json
 import os
+import sys
 import tempfile
 from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from autograder.executed import as_markdown
 from autograder.exercise import check_cell, checked_exercise
 from autograder.grading import GradedNotebook, Result
-from autograder.intake import UnreadableError, submitted_bytes, submitted_cells
 from autograder.registering import register
 
 
@@ -21,35 +23,38 @@ class GradebookWriter:
         self._db_url = db_url or f"sqlite:///{root / 'gradebook.db'}"
 
     def __enter__(self) -> "GradebookWriter":
-        # imported here: nbgrader takes seconds
-        from nbgrader.api import Gradebook
-
-        self._gradebook = Gradebook(self._db_url, course_id=course_id(self._root))
-        register(self._gradebook, self._root, self._assignment)
+        self._gradebook = _opened(self._db_url, self._root)
+        try:
+            register(self._gradebook, self._root, self._assignment)
+        except BaseException:
+            self._gradebook.close()
+            raise
         return self
 
     def __exit__(self, *_: object) -> None:
         self._gradebook.close()
 
     def write(self, student: str, graded: Sequence[GradedNotebook]) -> None:
-        """Write one submission: the executed notebooks into autograded/, then scores and comments in one transaction."""
+        """Write one submission: scores and comments in one transaction, and the executed notebooks into autograded/.
+
+        The notebooks are put in place last: if anything fails before, the next run still sees which written answers have changed.
+        """
         folder = self._root / "autograded" / student / self._assignment
         folder.mkdir(parents=True, exist_ok=True)
         paths = {notebook.notebook: folder / f"{notebook.notebook}.ipynb" for notebook in graded}
-        before = {name: _written_texts(path) for name, path in paths.items()}
-        for notebook in graded:
-            replace_file(paths[notebook.notebook], notebook.executed)
         try:
             submission = self._submission(student)
             rows = {entry.name: entry for entry in submission.notebooks}
             for notebook in graded:
-                after = _written_texts(paths[notebook.notebook])
-                rewritten = {name for name, text in after.items() if text != before[notebook.notebook].get(name, text)}
+                before, after = _written_before(paths[notebook.notebook]), _written_texts(notebook.executed)
+                rewritten = {name for name, text in before.items() if text != after.get(name, "")}
                 _enter(rows[notebook.notebook], notebook.results, rewritten)
             self._gradebook.db.commit()
         except BaseException:
             self._gradebook.db.rollback()
             raise
+        for notebook in graded:
+            replace_file(paths[notebook.notebook], notebook.executed)
 
     def _submission(self, student: str) -> Any:
         """Return the student's submission with a grade and a comment for every cell, making what is not there."""
@@ -86,10 +91,8 @@ def given_scores(
     root: Path, assignment: str, results: Sequence[Result]
 ) -> dict[tuple[str, str], tuple[float | None, str | None]]:
     """Return the points that stand in the gradebook, and the misconception of the result, by (student, exercise)."""
-    from nbgrader.api import Gradebook
-
     given = {}
-    with Gradebook(f"sqlite:///{root / 'gradebook.db'}", course_id=course_id(root)) as gradebook:
+    with _opened(f"sqlite:///{root / 'gradebook.db'}", root) as gradebook:
         scores = {
             (grade.student.id, checked_exercise(grade.name)): None if grade.needs_manual_grade else grade.score
             for submission in gradebook.assignment_submissions(assignment)
@@ -100,6 +103,19 @@ def given_scores(
         key = result.student, result.exercise
         given[key] = scores[key], result.misconception
     return given
+
+
+def _opened(db_url: str, root: Path) -> Any:
+    """Return an open nbgrader.api.Gradebook of the course."""
+    # imported here: nbgrader takes seconds
+    from nbgrader.api import Gradebook
+
+    # it runs the program alembic to make a new gradebook, which is beside this Python whether or not the environment is activated
+    programs = str(Path(sys.executable).parent)
+    path = os.environ.get("PATH", os.defpath)
+    if programs not in path.split(os.pathsep):
+        os.environ["PATH"] = f"{programs}{os.pathsep}{path}"
+    return Gradebook(db_url, course_id=course_id(root))
 
 
 def replace_file(path: Path, content: bytes) -> None:
@@ -129,13 +145,19 @@ def _complete(session: Any, submission: Any) -> None:
     session.flush()
 
 
-def _written_texts(path: Path) -> dict[str, str]:
-    """Return the written answers in an executed notebook by grade id; empty if there is none yet."""
+def _written_before(path: Path) -> dict[str, str]:
+    """Return the answers in the notebook that was graded before; empty if there is none that can be read."""
     try:
-        cells = submitted_cells(submitted_bytes(path))
-    except UnreadableError:
+        return _written_texts(path.read_bytes())
+    except (OSError, ValueError, TypeError, LookupError):
         return {}
-    return {cell.grade_id: cell.source for cell in cells if cell.type == "markdown" and cell.grade_id is not None}
+
+
+def _written_texts(executed: bytes) -> dict[str, str]:
+    """Return the texts of the graded cells in an executed notebook by grade id."""
+    cells = json.loads(executed)["cells"]
+    sources = {cell["metadata"]["nbgrader"]["grade_id"]: cell["source"] for cell in cells if "nbgrader" in cell["metadata"]}
+    return {grade_id: "".join(source) for grade_id, source in sources.items()}
 
 
 def _enter(entry: Any, results: Sequence[Result], rewritten: set[str]) -> None:
@@ -143,12 +165,13 @@ def _enter(entry: Any, results: Sequence[Result], rewritten: set[str]) -> None:
     grades = {grade.cell.name: grade for grade in entry.grades}
     comments = {comment.cell.name: comment for comment in entry.comments}
     for result in results:
-        by_hand = result.status == "manual"
-        grade = grades[result.exercise if by_hand else check_cell(result.exercise)]
+        written = result.exercise in grades
+        grade = grades[result.exercise if written else check_cell(result.exercise)]
         if grade.manual_score is None:
             grade.needs_manual_grade = result.score is None
         else:
-            changed = result.exercise in rewritten if by_hand else grade.auto_score != result.score
-            grade.needs_manual_grade = grade.needs_manual_grade or changed
+            changed = result.exercise in rewritten if written else grade.auto_score != result.score
+            grade.needs_manual_grade = bool(grade.needs_manual_grade or changed)
         grade.auto_score = result.score
-        comments[result.exercise].auto_comment = result.message
+        # an answer that waits for a person gets that person's comment
+        comments[result.exercise].auto_comment = None if result.score is None else as_markdown(result.message)

@@ -4,17 +4,17 @@
 """
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from typing import Any
 
-from autograder.executed import executed_notebook, verdict_output
+from autograder.executed import Room, clean_outputs, executed_notebook, verdict_output, visible
 from autograder.exercise import checked_exercise
-from autograder.intake import Cell, UnreadableError, language_of, restored_cells, submitted_cells
+from autograder.intake import NOT_HANDED_IN, Cell, UnreadableError, language_of, restored_cells, submitted_cells
 from autograder.judging import judged
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
-from autograder.session import Limits, Session, SessionEndedError
+from autograder.session import Limits, NoSandboxError, Session, SessionEndedError
 from course.language import Text
 from course.verdict import Verdict
 
@@ -23,7 +23,8 @@ from course.verdict import Verdict
 class Result:
     """What one exercise of one submission got, in points, and why.
 
-    `status` is "graded", "manual" (a person grades it; score None), "missing", "unreadable" or "stopped".
+    `status` is "graded", "manual" (a person grades it; score None), or why there is nothing to grade: "missing", "unreadable",
+    "stopped" (the notebook's process ended before), "failed" (a fault of the grader).
     """
 
     student: str
@@ -65,7 +66,10 @@ class Work:
 
 
 def graded_submission(work: Work) -> list[GradedNotebook]:
-    """Grade every notebook of one submission. Never raises for what the submission holds: each exercise gets a definite score."""
+    """Grade every notebook of one submission. Never raises for what the submission holds: each exercise gets a definite score.
+
+    Raises NoSandboxError where notebooks cannot be run at all.
+    """
     return [_graded_notebook(work, name) for name in work.notebooks]
 
 
@@ -93,17 +97,22 @@ def _graded_notebook(work: Work, name: str) -> GradedNotebook:
     try:
         if isinstance(handed_in, Text):
             raise UnreadableError(handed_in)
-        submitted = submitted_cells(handed_in)
+        return _run_and_judged(work, name, submitted_cells(handed_in))
     except UnreadableError as error:
-        status = "missing" if isinstance(handed_in, Text) else "unreadable"
-        return _refused(work, name, error.reason, status)
+        return _refused(work, name, error.reason, "missing" if error.reason == NOT_HANDED_IN else "unreadable")
+    except NoSandboxError:
+        raise
+    except Exception as error:  # one submission must not stop the others, whatever it is
+        return _refused(work, name, _FAILED.format(error=type(error).__name__), "failed")
+
+
+def _run_and_judged(work: Work, name: str, submitted: Sequence[Cell]) -> GradedNotebook:
     language = language_of(submitted)
     release = work.release[language, name]
-    ours = release_cells(release)
-    demos = _demo_sources(release)
-    cells = restored_cells(ours, submitted)
-    outputs, verdicts, stopped = _run(work, cells, demos, language)
-    results = _results(work, name, language, cells, verdicts, stopped)
+    cells = restored_cells(release_cells(release), submitted)
+    outputs, verdicts, stopped = _run(work, cells, _demo_sources(release), language)
+    handed_in = {cell.grade_id for cell in submitted}
+    results = _results(work, name, language, cells, handed_in, verdicts, stopped)
     return GradedNotebook(name, language, tuple(results), executed_notebook(release, cells, outputs))
 
 
@@ -118,9 +127,11 @@ def _demo_sources(release: bytes) -> frozenset[str]:
 
 def _run(
     work: Work, cells: Sequence[Cell], demos: frozenset[str], language: str
-) -> tuple[list[list[dict[str, Any]]], dict[str, Verdict], Text | None]:
+) -> tuple[list[list[Any]], dict[str, Verdict], Text | None]:
     """Run the cells in a sandbox and ask the judge at each check. Returns outputs by cell, verdicts, and why it stopped early."""
-    outputs: list[list[dict[str, Any]]] = [[] for _ in cells]
+    outputs: list[list[Any]] = [[] for _ in cells]
+    # cleaned at once, so that what a notebook puts out never fills the grader's memory
+    room, answers_room = Room(), Room()
     verdicts: dict[str, Verdict] = {}
     try:
         with Session(work.limits, work.sandbox, work.slot) as session:
@@ -131,27 +142,36 @@ def _run(
                     name = checked_exercise(str(cell.grade_id))
                     verdict = judged(exercise_named(name), partial(session.ask, name))
                     verdicts[name] = verdict
-                    outputs[index] = [verdict_output(verdict, language)]
+                    outputs[index] = clean_outputs([verdict_output(verdict, language)], answers_room)
                 else:
-                    outputs[index] = session.run(cell.source)
+                    outputs[index] = clean_outputs(session.run(cell.source), room)
     except SessionEndedError as error:
         return outputs, verdicts, error.reason
     return outputs, verdicts, None
 
 
 def _results(  # noqa: PLR0913 - one row of the table needs it all
-    work: Work, name: str, language: str, cells: Sequence[Cell], verdicts: Mapping[str, Verdict], stopped: Text | None
+    work: Work,
+    name: str,
+    language: str,
+    cells: Sequence[Cell],
+    handed_in: Collection[str | None],
+    verdicts: Mapping[str, Verdict],
+    stopped: Text | None,
 ) -> list[Result]:
+    written = {cell.grade_id: cell.source for cell in cells if cell.graded and not cell.locked}
     results = []
     for blank in _blank_results(work, name):
         verdict = verdicts.get(blank.exercise)
         if blank.status == "manual":
-            written = next((cell.source for cell in cells if cell.grade_id == blank.exercise), "")
-            message = _MANUAL if written.strip() else _NOT_WRITTEN
-            results.append(replace(blank, message=message.to(language), score=None if written.strip() else 0.0))
+            # where the whole cell is gone, its text may stand elsewhere: a person has to look
+            empty = blank.exercise in handed_in and not written[blank.exercise].strip()
+            message = (_NOT_WRITTEN if empty else _MANUAL).to(language)
+            results.append(replace(blank, message=message, score=0.0 if empty else None))
         elif verdict is not None:
             points = round(verdict.score * blank.max_score, 4)
-            results.append(replace(blank, score=points, message=verdict.message(language), misconception=verdict.misconception))
+            message = visible(verdict.message(language))
+            results.append(replace(blank, score=points, message=message, misconception=verdict.misconception))
         else:
             reason = (stopped or _NOT_ASKED).to(language)
             results.append(replace(blank, message=reason, status="stopped"))
@@ -165,7 +185,7 @@ def _blank_results(work: Work, name: str) -> list[Result]:
         Result(work.student, work.assignment, name, exercise, 0.0, float(exercise_named(exercise).points), "")
         for exercise in NOTEBOOKS[key]
     ]
-    points = {cell.grade_id: cell for cell in release_cells(work.release["ja", name])}
+    cells = {cell.grade_id for cell in release_cells(work.release["ja", name])}
     written = [
         Result(
             work.student,
@@ -178,7 +198,7 @@ def _blank_results(work: Work, name: str) -> list[Result]:
             status="manual",
         )
         for exercise in WRITTEN.get(key, ())
-        if exercise in points
+        if exercise in cells
     ]
     return graded + written
 
@@ -193,8 +213,9 @@ def written_points(release: bytes, exercise: str) -> float:
 
 
 def _refused(work: Work, name: str, reason: Text, status: str) -> GradedNotebook:
-    """Return zeros with a reason for a notebook that cannot be read."""
-    language = "ja"
+    """Return zeros with a reason for a notebook that cannot be graded."""
+    english = any(b"from course.en import" in data for data in work.notebooks.values() if isinstance(data, bytes))
+    language = "en" if english else "ja"
     results = tuple(replace(blank, score=0.0, message=reason.to(language), status=status) for blank in _blank_results(work, name))
     release = work.release[language, name]
     return GradedNotebook(name, language, results, executed_notebook(release, release_cells(release), []))
@@ -207,4 +228,8 @@ def result_row(result: Result) -> dict[str, Any]:
 
 _MANUAL = Text("A person grades this answer.", "この解答は担当者が採点します。")
 _NOT_WRITTEN = Text("Nothing is written here yet.", "解答が書かれていません。")
+_FAILED = Text(
+    "The grader failed on this notebook ({error}). This is not your fault; please tell the staff.",
+    "このノートブックの採点中に採点プログラム側でエラーが起きました({error})。解答のせいではありません。担当者に連絡してください。",
+)
 _NOT_ASKED = Text("This exercise could not be checked.", "この課題は採点できませんでした。")

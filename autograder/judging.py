@@ -14,6 +14,7 @@ from autograder.reference import exercise_named
 from course.answers import Interview, Question, Reply, Trouble, interview, reply_to
 from course.explaining import explained_missing, explained_not_axes, explained_trouble, shown
 from course.factors import factor_message
+from course.figures import is_summary
 from course.ladder import Answered, Fault, call_fault, entry_fault, names_of_wrong
 from course.language import Text
 from course.plain import Odd, Plain, numeric
@@ -72,7 +73,7 @@ def graph_verdict(exercise: GraphExercise, talk: Interview, seed: int | None = N
     """Return the verdict on the summary of a graph."""
     if talk.missing is not None:
         return Verdict(exercise.name, 0.0, explained_missing(exercise.name, talk.missing), rung="defined", seed=seed)
-    if talk.figure is None:
+    if talk.figure is None or not is_summary(talk.figure):
         return Verdict(exercise.name, 0.0, explained_not_axes(exercise.name, talk.kind), rung="callable", seed=seed)
     fault = exercise.fault(talk.figure, exercise.shown)
     if fault is None:

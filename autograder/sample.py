@@ -13,12 +13,17 @@ from autograder.editions import edition, source_cells
 from autograder.grading import notebook_names
 from autograder.judging import judge
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
+from autograder.session import Limits
 
 ASSIGNMENT = "odometry"
+#: short, so that the endless loop does not hold up the demonstration
+LIMITS = Limits(cell=20.0, check=4.0)
 
 #: instead of a misconception's slug: the stub as it came, an answer that never ends, one that prints instead of returning,
 #: one that leaves its process
 STUB, ENDLESS, PRINTS, EXITS = "untouched stub", "endless loop", "prints", "exits"
+#: what becomes of an answer that comes after one that leaves its process: there is nobody left to ask
+UNREACHED = "after the exit"
 #: what is handed in instead of a notebook
 NOTHING, BROKEN, EMPTY = "not handed in", "broken file", "empty file"
 
@@ -43,7 +48,24 @@ STUDENTS: dict[str, SampleStudent] = {
     "s01-akari": SampleStudent("ja"),
     "s02-ben": SampleStudent("en"),
     "s03-chie": SampleStudent("ja", {"pose_step": "sin_cos_exchanged", "wheel_angle": "gear_forgotten"}),
-    "s04-dan": SampleStudent("en", {"pose_step": "new_heading_used", "body_velocity": "half_missing_in_v"}),
+    "s04-dan": SampleStudent(
+        "en", {"pose_step": "new_heading_used", "body_velocity": "half_missing", "count_increments": "wrap_ignored"}
+    ),
+    "s05-emi": SampleStudent(
+        "ja",
+        {"planar_rotation": "transposed", "pose_step_matrix": "sideways_ignored", "body_velocity_matrix": "radii_exchanged"},
+    ),
+    "s06-finn": SampleStudent(
+        "en", {"displacement": "dt_forgotten", "pose_step_arc": STUB, "wheel_signs": "straight_part_decides"}
+    ),
+    "s07-goro": SampleStudent(
+        "ja", {"displacement": PRINTS, "dead_reckoning": "heading_one_step_late", "wheel_speed": "mean_time_step"}
+    ),
+    "s08-holly": SampleStudent("en", {"quadrature_count": "direction_lost", "distance_per_count": ENDLESS}),
+    "s09-ichiro": SampleStudent("ja", {"pose_step_midpoint": EXITS, "speed_resolution": "two_pi_forgotten"}),
+    "s10-jack": SampleStudent("en", {"q1_symbolic": "plus_in_x"}, odd={"encoders": NOTHING}),
+    "s11-kei": SampleStudent("ja", {"wheel_signs": "icart_assumed"}, odd={"pose_update": BROKEN}),
+    "s12-lena": SampleStudent("en", {"pose_step_arc": "divided_by_zero", "dead_reckoning": "last_step_not_taken"}, writes=False),
 }
 
 
@@ -84,8 +106,12 @@ def expected_results() -> dict[tuple[str, str], Expected]:
     for student, plan in STUDENTS.items():
         for name in notebook_names(ASSIGNMENT):
             odd = plan.odd.get(name)
+            exited = False
             for exercise in NOTEBOOKS[f"{ASSIGNMENT}/{name}"]:
-                expected[student, exercise] = _expected(exercise, plan.wrong.get(exercise), odd)
+                expected[student, exercise] = _expected(
+                    exercise, plan.wrong.get(exercise), odd or (UNREACHED if exited else None)
+                )
+                exited = exited or plan.wrong.get(exercise) == EXITS
             for exercise in WRITTEN.get(f"{ASSIGNMENT}/{name}", ()):
                 by_hand = plan.writes and odd is None
                 expected[student, exercise] = Expected(

@@ -1,8 +1,10 @@
 """A sandboxed notebook session, seen from the trusted side: start it, run cells, put questions, and never believe it."""
 
+import contextlib
+import math
 import os
-import select
 import shutil
+import signal
 import socket
 import subprocess
 import sys
@@ -85,8 +87,9 @@ class Session:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        # the sandbox has a process namespace of its own: with its first process everything in it dies
-        self._process.kill()
+        # a sandbox has a process namespace of its own: with its first process everything in it dies; without one, the group must do
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self._process.pid, signal.SIGKILL)
         self._process.wait()
         self._errors.close()
         self._socket.close()
@@ -126,7 +129,9 @@ class Session:
             raise SessionEndedError(_DIED) from None
         except WireError:
             raise SessionEndedError(_MALFORMED) from None
-        if reply.get("id") != self._last_id:
+        number = reply.get("id")
+        # of the type first: an array compares in its own way
+        if type(number) is not int or number != self._last_id:
             raise SessionEndedError(_MALFORMED)
         return reply
 
@@ -137,9 +142,15 @@ class Session:
             parts: list[bytes] = []
             while count:
                 left = end - time.monotonic()
-                if left <= 0 or not select.select([self._socket], [], [], left)[0]:
+                if left <= 0:
                     raise SessionEndedError(_TOO_SLOW)
-                part = self._socket.recv(min(count, 2**20))
+                self._socket.settimeout(left)
+                try:
+                    part = self._socket.recv(min(count, 2**20))
+                except TimeoutError:
+                    raise SessionEndedError(_TOO_SLOW) from None
+                except OSError:
+                    raise SessionEndedError(_DIED) from None
                 if not part:
                     raise SessionEndedError(_DIED)
                 parts.append(part)
@@ -152,9 +163,9 @@ class Session:
         limits = self._limits
         descriptor = theirs.fileno()
         uid = _FIRST_UID + self._slot
-        arguments = [descriptor, uid if self._sandbox else 0, limits.memory_mb, int(limits.notebook), limits.processes]
+        arguments = [descriptor, uid if self._sandbox else 0, limits.memory_mb, math.ceil(limits.notebook), limits.processes]
         runner = [sys.executable, "-s", "-P", "-B", "-m", "autograder.sandbox.runner", *map(str, arguments)]
-        self._errors = tempfile.TemporaryFile()
+        self._errors = tempfile.TemporaryFile()  # noqa: SIM115 - closed in __exit__
         if self._sandbox:
             command, environment, folder = [*_bwrap_command(), *runner], {"PATH": os.environ.get("PATH", "")}, "/"
         else:
@@ -164,7 +175,7 @@ class Session:
             command, environment = runner, _environment(str(ROOT), folder)
         return subprocess.Popen(
             command, pass_fds=[descriptor], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=self._errors,
-            env=environment, cwd=folder,
+            env=environment, cwd=folder, start_new_session=True,
         )  # fmt: skip
 
     def _complaint(self) -> str:
@@ -208,6 +219,8 @@ def _bwrap_command() -> list[str]:
     command += ["--die-with-parent", "--new-session", "--hostname", "sandbox", "--clearenv"]
     for name, value in _environment(_LIB, _WORK).items():
         command += ["--setenv", name, value]
+    # first of all, so that it does not hide a course that lives below /tmp
+    command += _own_folder("/tmp")  # noqa: S108 - the sandbox's own
     for folder in _parents([*shown.values(), _WORK]):
         # bubblewrap would make them 700, and the other user could not pass
         command += ["--perms", "0755", "--dir", folder]
@@ -217,10 +230,14 @@ def _bwrap_command() -> list[str]:
     for here, there in shown.items():
         if Path(here).exists() and not (here != "/usr" and here.startswith("/usr/")):
             command += ["--ro-bind", here, there]
-    command += ["--dev", "/dev", "--proc", "/proc"]
-    for folder in ("/tmp", _WORK):  # noqa: S108 - the sandbox's own
-        command += ["--perms", "1777", "--size", str(64 * 2**20), "--tmpfs", folder]
+    command += [*_own_folder(_WORK), "--dev", "/dev", "--proc", "/proc"]
+    # an ordinary user owns these folders in the sandbox, and what they hold is not limited in size
+    command += ["--remount-ro", "/dev", "--remount-ro", "/"]
     return [*command, "--chdir", _WORK]
+
+
+def _own_folder(path: str) -> list[str]:
+    return ["--perms", "1777", "--size", str(64 * 2**20), "--tmpfs", path]
 
 
 def _parents(paths: Sequence[str]) -> list[str]:

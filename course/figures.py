@@ -25,7 +25,9 @@ def axes_summary(axes: Any) -> dict[str, Plain]:
     `labels` are (x, y) pairs; `aspect` is the ratio of a unit of y to a unit of x on the page, 0.0 when it is free.
     """
     lines = [_series(line.get_xydata(), line) for line in axes.get_lines()[:MAX_LINES]]
-    points = [_series(group.get_offsets(), group) for group in axes.collections[:MAX_LINES] if len(group.get_offsets())]
+    # filled areas and error bars are collections too, but of no points
+    scatter = sys.modules["matplotlib.collections"].PathCollection
+    points = [_series(group.get_offsets(), group) for group in axes.collections[:MAX_LINES] if isinstance(group, scatter)]
     legend = axes.get_legend()
     aspect = axes.get_aspect()
     return {
@@ -38,6 +40,30 @@ def axes_summary(axes: Any) -> dict[str, Plain]:
         "aspect": 0.0 if aspect == "auto" else float(aspect),
         "legend": [] if legend is None else [plain_text(text.get_text()) for text in legend.get_texts()[:MAX_LINES]],
     }
+
+
+def is_summary(figure: Plain) -> bool:
+    """Is `figure` made like what `axes_summary` returns? What comes out of a sandbox may be anything."""
+    match figure:
+        case {
+            "lines": [*lines],
+            "points": [*points],
+            "labels": [str(), str()],
+            "title": str(),
+            "scales": [str(), str()],
+            "limits": np.ndarray(shape=(4,)),
+            "aspect": float(),
+            "legend": [*legend],
+        }:
+            return all(map(_is_series, [*lines, *points])) and all(type(entry) is str for entry in legend)
+    return False
+
+
+def _is_series(series: Plain) -> bool:
+    match series:
+        case {"xy": np.ndarray(shape=(_, 2)), "label": str(), "visible": bool()}:
+            return True
+    return False
 
 
 def _series(xy: Any, artist: Any) -> dict[str, Plain] | None:

@@ -30,8 +30,8 @@ class Odd(NamedTuple):
     type_name: str
 
 
-class _TooBigError(Exception):
-    """There is more in a value than an answer may hold."""
+class _TooMuchError(Exception):
+    """There is more in a value than an answer may hold; the argument is the kind of `Odd` that it is."""
 
 
 class _Room:
@@ -43,7 +43,7 @@ class _Room:
     def take(self, count: int) -> None:
         self.left -= count
         if self.left < 0:
-            raise _TooBigError
+            raise _TooMuchError("too_big")
 
 
 def plain(value: object, depth: int = 0) -> Plain:
@@ -51,8 +51,8 @@ def plain(value: object, depth: int = 0) -> Plain:
     try:
         with np.errstate(all="ignore"):
             return _stripped(value, depth, _Room())
-    except _TooBigError:
-        return Odd("too_big", type_name(value))
+    except _TooMuchError as error:
+        return Odd(str(error), type_name(value))
 
 
 def type_name(value: object) -> str:
@@ -82,7 +82,7 @@ def _stripped(value: object, depth: int, room: _Room) -> Plain:
     if kind is str:
         return value[:MAX_TEXT]  # type: ignore[index]
     if depth > MAX_DEPTH:
-        return Odd("too_deep", type_name(value))
+        raise _TooMuchError("too_deep")
     if kind is np.ndarray:
         return _plain_array(value, room)  # type: ignore[arg-type]
     if kind in _NUMPY_SCALARS:
@@ -125,13 +125,13 @@ def as_given(value: object) -> Plain:
     """Return an input as it stands, lists as lists, so that it can be compared with what was handed over."""
     try:
         return _standing(value, 0, _Room())
-    except _TooBigError:
-        return Odd("too_big", type_name(value))
+    except _TooMuchError as error:
+        return Odd(str(error), type_name(value))
 
 
 def _standing(value: object, depth: int, room: _Room) -> Plain:
     if depth > MAX_DEPTH:
-        return Odd("too_deep", type_name(value))
+        raise _TooMuchError("too_deep")
     if type(value) is list:
         room.take(1 + len(value))
         return [_standing(item, depth + 1, room) for item in value]
@@ -177,7 +177,9 @@ def _plain_array(array: np.ndarray, room: _Room) -> Plain:
     room.take(array.size)
     # a long double: eight bytes are what crosses; by its character, which leaves byte order and metadata behind
     dtype = np.float64 if array.dtype.char == "g" else np.dtype(array.dtype.char)
-    return np.array(array, dtype=dtype, order="C", copy=True)
+    copy = np.empty(array.shape, dtype)
+    copy[...] = array
+    return copy
 
 
 def _plain_sequence(items: Iterable[object], length: int, depth: int, room: _Room) -> Plain:

@@ -1,5 +1,7 @@
 """What students get holds no solution, no reference and no hidden module: compared by runs of tokens."""
 
+import ast
+import inspect
 import io
 import json
 import re
@@ -10,6 +12,7 @@ from pathlib import Path
 import jupytext
 import pytest
 
+from autograder import exercises
 from autograder.reference import NOTEBOOKS, WRITTEN
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -62,11 +65,16 @@ def solutions() -> dict[str, str]:
 
 
 def references() -> dict[str, str]:
-    """The hidden module by file; its imports and messages are no secret, its functions are."""
+    """The functions of the hidden module by exercise: right rules and the drawing of cases.
+
+    Wrong rules are no secret: the notebooks show some of them, for the reader to find the error.
+    """
     found = {}
-    for path in sorted((ROOT / "autograder" / "reference").glob("*/*.py")):
-        code = path.read_text(encoding="utf-8").partition("\nEXERCISE = ")[0]
-        found[path.stem] = re.sub(r"^(from|import) .*$", "", code, flags=re.MULTILINE)
+    for exercise in exercises():
+        wrong = set(exercise.misconceptions)
+        tree = ast.parse(Path(inspect.getfile(exercise.cases)).read_text(encoding="utf-8"))
+        hidden = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name not in wrong]
+        found[exercise.name] = "\n".join(ast.unparse(node) for node in hidden)
     return found
 
 

@@ -79,13 +79,14 @@ class _Arrays:
         size = np.dtype(dtype).itemsize * count
         if size > len(self._data) - self._start:
             raise WireError("array longer than its frame")
-        if count == 0 and max(shape) > MAX_ARRAYS // 2**8:
-            raise WireError("an empty array of such a shape")
         flat = np.frombuffer(self._data, dtype, count, self._start) if count else np.empty(0, dtype)
         self._start += size
         if dtype == "bool" and flat.view(np.uint8).max(initial=0) > 1:
             raise WireError("neither true nor false")
-        return flat.reshape(shape).copy()
+        try:
+            return flat.reshape(shape).copy()
+        except ValueError:
+            raise WireError("an empty array of an impossible shape") from None
 
 
 def _packed(value: Plain, blobs: list[bytes]) -> Any:
@@ -185,7 +186,7 @@ def _figure(data: Plain) -> dict[str, Plain] | None:
             return None
         case {
             "lines": list(lines), "points": list(points), "labels": [str(_), str(_)], "title": str(_), "scales": [str(_), str(_)],
-            "limits": np.ndarray(shape=(4,)), "aspect": float(_), "legend": list(legend),
+            "limits": np.ndarray(shape=(4,), dtype=np.dtypes.Float64DType()), "aspect": float(_), "legend": list(legend),
         } if all(map(_is_series, [*lines, *points])) and all(isinstance(text, str) for text in legend):  # fmt: skip
             return data
     raise WireError("not the summary of a graph")
@@ -193,8 +194,8 @@ def _figure(data: Plain) -> dict[str, Plain] | None:
 
 def _is_series(data: Plain) -> bool:
     match data:
-        case {"xy": np.ndarray(ndim=2) as xy, "label": str(_), "visible": bool(_)}:
-            return xy.shape[1] == 2
+        case {"xy": np.ndarray(shape=(_, 2), dtype=np.dtypes.Float64DType()), "label": str(_), "visible": bool(_)}:
+            return True
     return False
 
 

@@ -1,5 +1,6 @@
 """Answers to quadrature_count(a, b): right ones in honest styles, wrong ones as students write them."""
 
+import itertools
 import warnings
 
 import numpy as np
@@ -9,7 +10,7 @@ def table_of_states(a, b):
     order = {(0, 0): 0, (1, 0): 1, (1, 1): 2, (0, 1): 3}
     states = [order[int(x), int(y)] for x, y in zip(a, b, strict=True)]
     count, counts = 0, [0]
-    for old, new in zip(states[:-1], states[1:], strict=True):
+    for old, new in itertools.pairwise(states):
         count += {0: 0, 1: 1, 3: -1}[(new - old) % 4]
         counts.append(count)
     return counts
@@ -190,7 +191,7 @@ def drops_step_at_reversal(a, b):
     step = np.diff(vectorised(a, b))
     out, direction = [0], 0
     for s in step:
-        out.append(out[-1] + (s if s == direction or direction == 0 else 0))
+        out.append(out[-1] + (s if direction in (s, 0) else 0))
         direction = s or direction
     return out
 

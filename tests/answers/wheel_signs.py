@@ -167,7 +167,7 @@ def mirrored_pair(log):
 def left_wheel_stands(log):
     """Takes the wheel that stands still in the turn for the left one; else guesses counter 1 for right."""
     right, left, counter = first_tenth_and_last_tenth(log)
-    c1, c2 = counters(log)
+    c1, _ = counters(log)
     _, last = ends(log)
     by_counters = (right, left) if counter == 1 else (left, right)
     if not c1[last].any():
@@ -220,6 +220,14 @@ def zeroes_the_log(log):
     return result
 
 
+def halves(log):
+    """Takes the first half of the rows for the straight part and the second half for the turn."""
+    c1, c2 = counters(log)
+    half = len(c1) // 2
+    s1, s2 = np.sign(c1[:half].sum()), np.sign(c2[:half].sum())
+    return answer(s1, s2, s1 * c1[half:].sum() > s2 * c2[half:].sum())
+
+
 def turn_to_the_right(log):
     right, left, counter = backwards(log)
     return left, right, 3 - counter
@@ -249,5 +257,6 @@ WRONG = {
     "symbols": (symbols, "'+' and '-'", "plain"),
     "arrays only": (arrays_only, "fails for lists", "subtle"),
     "changes the log": (zeroes_the_log, "in place", "subtle"),
+    "halves": (halves, "the straight part may be a quarter only", "subtle"),
     "all the wrong way round": (turn_to_the_right, "signs and sides", "plain"),
 }

@@ -119,6 +119,11 @@ def velocity_of_the_faster_wheel(v_right, v_left, tread):
     return np.maximum(right, left), (right - left) / tread
 
 
+def velocity_of_the_slower_wheel(v_right, v_left, tread):
+    right, left = np.asarray(v_right), np.asarray(v_left)
+    return np.minimum(right, left), (right - left) / tread
+
+
 def velocity_made_positive(v_right, v_left, tread):
     right, left = np.asarray(v_right), np.asarray(v_left)
     return np.abs(right + left) / 2, (right - left) / tread
@@ -137,6 +142,11 @@ def length_of_both_speeds(v_right, v_left, tread):
 def root_mean_square(v_right, v_left, tread):
     right, left = np.asarray(v_right), np.asarray(v_left)
     return np.sqrt((right**2 + left**2) / 2), (right - left) / tread
+
+
+def geometric_mean(v_right, v_left, tread):
+    right, left = np.asarray(v_right), np.asarray(v_left)
+    return np.sqrt(np.abs(right * left)), (right - left) / tread
 
 
 def velocity_reversed(v_right, v_left, tread):
@@ -247,6 +257,11 @@ def arctangent_taken(v_right, v_left, tread):
 def tread_of_the_slides(v_right, v_left, tread):
     right, left = np.asarray(v_right), np.asarray(v_left)
     return (right + left) / 2, (right - left) / -0.3045
+
+
+def tread_of_the_beego(v_right, v_left, tread):
+    right, left = np.asarray(v_right), np.asarray(v_left)
+    return (right + left) / 2, (right - left) / 0.2765
 
 
 def length_of_the_tread_of_the_slides(v_right, v_left, tread):
@@ -380,7 +395,8 @@ EXERCISE = Exercise(
         Mistake(
             velocity_over_tread,
             Text(
-                "V is divided by the tread: that has the unit 1/s. The velocity of the middle does not depend on how far apart the wheels are.",
+                "V is divided by the tread: that has the unit 1/s. The velocity of the middle does not depend on how far apart "
+                "the wheels are.",
                 "V をトレッドで割っていて、単位が 1/s になっています。中心の速度は車輪の間隔によりません。",
             ),
         ),
@@ -403,6 +419,13 @@ EXERCISE = Exercise(
             Text(
                 "V is the larger of the two wheel speeds. The middle of the axle moves at neither, but in between.",
                 "V が 2 つの車輪速度の大きい方になっています。車軸の中央の速度は、その間の値です。",
+            ),
+        ),
+        Mistake(
+            velocity_of_the_slower_wheel,
+            Text(
+                "V is the smaller of the two wheel speeds. The middle of the axle moves at neither, but in between.",
+                "V が 2 つの車輪速度の小さい方になっています。車軸の中央の速度は、その間の値です。",
             ),
         ),
         Mistake(
@@ -429,7 +452,8 @@ EXERCISE = Exercise(
         Mistake(
             length_of_both_speeds,
             Text(
-                "V is the root of the sum of squares. The two wheel speeds are not at right angles to one another: both point forward.",
+                "V is the root of the sum of squares. The two wheel speeds are not at right angles to one another: both point "
+                "forward.",
                 "V を 2 乗和の平方根で計算しています。2 つの車輪の速度は直交していません。どちらも前方を向いています。",
             ),
         ),
@@ -438,6 +462,14 @@ EXERCISE = Exercise(
             Text(
                 "V is the root mean square of the wheel speeds. It is their plain mean, with signs.",
                 "V が車輪速度の 2 乗平均平方根になっています。必要なのは、符号付きのふつうの平均です。",
+            ),
+        ),
+        Mistake(
+            geometric_mean,
+            Text(
+                "V is the root of a product of the wheel speeds. If one wheel stands still the middle of the axle still moves: "
+                "take the plain mean.",
+                "V を車輪速度の積の平方根で計算しています。片輪が止まっていても車軸の中央は動きます。ふつうの平均をとりましょう。",
             ),
         ),
         Mistake(
@@ -452,37 +484,47 @@ EXERCISE = Exercise(
             Text(
                 "omega has the wrong sign: the right speed is subtracted from the left one, or right and left are exchanged. "
                 "The formula of overview 5 starts with v_r, and the tread keeps its sign.",
-                "omega の符号が逆です。左から右を引いているか、左右が入れ替わっています。概要 #5 の式は v_r から始まり、トレッドは符号付きのまま使います。",
+                "omega の符号が逆です。左から右を引いているか、左右が入れ替わっています。"
+                "概要 #5 の式は v_r から始まり、トレッドは符号付きのまま使います。",
             ),
         ),
         Mistake(
             sign_of_tread_lost,
             Text(
-                "The tread is made positive. A negative tread is no slip: it says that yaw counts clockwise, as the IMU with z down does. Keep the sign.",
-                "トレッドを正に直しています。負のトレッドは誤りではなく、z 軸が下向きの IMU と同じように、方位を時計回りに数えることを表します。符号はそのままにしましょう。",
+                "The tread is made positive. A negative tread is no slip: it says that yaw counts clockwise, as the IMU with z "
+                "down does. Keep the sign.",
+                "トレッドを正に直しています。"
+                "負のトレッドは誤りではなく、z 軸が下向きの IMU と同じように、方位を時計回りに数えることを表します。"
+                "符号はそのままにしましょう。",
             ),
         ),
         Mistake(
             left_minus_right_over_absolute_tread,
             Text(
-                "omega is wrong where the tread is positive: left minus right, over the length of the tread. The formula is the same for both signs "
+                "omega is wrong where the tread is positive: left minus right, over the length of the tread. The formula is the "
+                "same for both signs "
                 "of the tread; the sign does its work by itself.",
-                "トレッドが正のときの omega が正しくありません。左から右を引いて、トレッドの絶対値で割っています。式はトレッドの符号によらず同じです。符号の違いは割り算に自然に現れます。",
+                "トレッドが正のときの omega が正しくありません。左から右を引いて、トレッドの絶対値で割っています。"
+                "式はトレッドの符号によらず同じです。符号の違いは割り算に自然に現れます。",
             ),
         ),
         Mistake(
             half_tread,
             Text(
-                "omega is twice what it should be: half the tread is used. The T of overview 5 is the whole distance between the wheels "
+                "omega is twice what it should be: half the tread is used. The T of overview 5 is the whole distance between "
+                "the wheels "
                 "(the d of the slides on dead reckoning is half of it).",
-                "omega が 2 倍になっています。トレッドの半分で割っています。概要 #5 の T は車輪の間隔全体です(デッドレコニングのスライドの d はその半分です)。",
+                "omega が 2 倍になっています。トレッドの半分で割っています。"
+                "概要 #5 の T は車輪の間隔全体です(デッドレコニングのスライドの d はその半分です)。",
             ),
         ),
         Mistake(
             difference_averaged,
             Text(
-                "omega is half of what it should be: a half as in V, or twice the tread. Think of a turn on the spot: each wheel runs on a circle of radius T/2.",
-                "omega が半分になっています。V と同じように 1/2 を掛けたか、トレッドの 2 倍で割っています。その場旋回を考えましょう。各車輪は半径 T/2 の円の上を走ります。",
+                "omega is half of what it should be: a half as in V, or twice the tread. Think of a turn on the spot: each "
+                "wheel runs on a circle of radius T/2.",
+                "omega が半分になっています。V と同じように 1/2 を掛けたか、トレッドの 2 倍で割っています。"
+                "その場旋回を考えましょう。各車輪は半径 T/2 の円の上を走ります。",
             ),
         ),
         Mistake(
@@ -490,7 +532,8 @@ EXERCISE = Exercise(
             Text(
                 "omega is (v_r - v_l) * T/2: multiplied by the tread and halved. The wider the robot, the slower it turns; "
                 "and a / b * c is (a / b) * c.",
-                "omega が (v_r - v_l) * T/2 になっています。幅の広いロボットほどゆっくり回るはずです。また、a / b * c は (a / b) * c です。",
+                "omega が (v_r - v_l) * T/2 になっています。幅の広いロボットほどゆっくり回るはずです。"
+                "また、a / b * c は (a / b) * c です。",
             ),
         ),
         Mistake(
@@ -531,15 +574,18 @@ EXERCISE = Exercise(
         Mistake(
             yaw_rate_from_sum,
             Text(
-                "omega is computed from the sum of the wheel speeds: driving straight, the robot would turn. Equal speeds must give omega = 0.",
-                "omega を車輪速度の和から計算しています。これでは直進していても旋回することになります。両輪が等しければ omega は 0 です。",
+                "omega is computed from the sum of the wheel speeds: driving straight, the robot would turn. Equal speeds must "
+                "give omega = 0.",
+                "omega を車輪速度の和から計算しています。これでは直進していても旋回することになります。"
+                "両輪が等しければ omega は 0 です。",
             ),
         ),
         Mistake(
             yaw_rate_from_velocity,
             Text(
                 "omega is V over the tread: driving straight, the robot would turn. Equal speeds must give omega = 0.",
-                "omega が V をトレッドで割ったものになっています。これでは直進していても旋回することになります。両輪が等しければ omega は 0 です。",
+                "omega が V をトレッドで割ったものになっています。これでは直進していても旋回することになります。"
+                "両輪が等しければ omega は 0 です。",
             ),
         ),
         Mistake(
@@ -559,8 +605,10 @@ EXERCISE = Exercise(
         Mistake(
             difference_of_absolute_speeds,
             Text(
-                "omega is the difference of the absolute speeds. A wheel that runs backwards counts negative: on the spot the difference is largest.",
-                "omega が速度の絶対値の差から計算されています。逆転する車輪の速度は負です。その場旋回では差が最も大きくなるはずです。",
+                "omega is the difference of the absolute speeds. A wheel that runs backwards counts negative: on the spot the "
+                "difference is largest.",
+                "omega が速度の絶対値の差から計算されています。逆転する車輪の速度は負です。"
+                "その場旋回では差が最も大きくなるはずです。",
             ),
         ),
         Mistake(
@@ -573,14 +621,16 @@ EXERCISE = Exercise(
         Mistake(
             yaw_rate_over_circumference,
             Text(
-                "omega is divided by π besides: (v_r - v_l) / (π T) counts turns of a half circle. An angular velocity in rad/s is speed over distance, without π.",
+                "omega is divided by π besides: (v_r - v_l) / (π T) counts turns of a half circle. An angular velocity in rad/s "
+                "is speed over distance, without π.",
                 "omega がさらに π で割られています。角速度 [rad/s] は速度 ÷ 距離で、π は要りません。",
             ),
         ),
         Mistake(
             arctangent_taken,
             Text(
-                "An arctangent is taken of omega. (v_r - v_l) / T is a rate already, exact for every size; there is no triangle here.",
+                "An arctangent is taken of omega. (v_r - v_l) / T is a rate already, exact for every size; there is no triangle "
+                "here.",
                 "omega に逆正接をとっています。(v_r - v_l) / T はそのまま角速度で、大きさによらず正確です。三角形は関係ありません。",
             ),
         ),
@@ -588,7 +638,15 @@ EXERCISE = Exercise(
             tread_of_the_slides,
             Text(
                 "The tread is always -0.3045 m, that of the i-Cart in the slides. Use the argument tread: robots differ.",
-                "トレッドがいつも -0.3045 m(スライドの i-Cart の値)になっています。ロボットによって違うので、引数 tread を使いましょう。",
+                "トレッドがいつも -0.3045 m(スライドの i-Cart の値)になっています。"
+                "ロボットによって違うので、引数 tread を使いましょう。",
+            ),
+        ),
+        Mistake(
+            tread_of_the_beego,
+            Text(
+                "The tread is always 0.2765 m, that of the Beego. Use the argument tread: robots differ.",
+                "トレッドがいつも 0.2765 m(Beego の値)になっています。ロボットによって違うので、引数 tread を使いましょう。",
             ),
         ),
         Mistake(
@@ -615,7 +673,8 @@ EXERCISE = Exercise(
         Mistake(
             decimals_cut_off,
             Text(
-                "With whole numbers the decimals are cut off: an array made with zeros_like or empty_like from integers holds integers only. "
+                "With whole numbers the decimals are cut off: an array made with zeros_like or empty_like from integers holds "
+                "integers only. "
                 "Make it with dtype=float.",
                 "整数が渡されると小数部分が切り捨てられます。整数から zeros_like や empty_like で作った配列には整数しか入りません。"
                 "dtype=float を指定しましょう。",
@@ -624,15 +683,19 @@ EXERCISE = Exercise(
         Mistake(
             rounded,
             Text(
-                "V and omega are rounded to 3 decimals. They are integrated later, and so are the rounding errors: round only for display.",
-                "V と omega が小数第 3 位までに丸められています。あとで積分すると丸め誤差も積み重なります。丸めるのは表示のときだけにしましょう。",
+                "V and omega are rounded to 3 decimals. They are integrated later, and so are the rounding errors: round only "
+                "for display.",
+                "V と omega が小数第 3 位までに丸められています。あとで積分すると丸め誤差も積み重なります。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
             rounded_coarsely,
             Text(
-                "V and omega are rounded to 2 decimals. They are integrated later, and so are the rounding errors: round only for display.",
-                "V と omega が小数第 2 位までに丸められています。あとで積分すると丸め誤差も積み重なります。丸めるのは表示のときだけにしましょう。",
+                "V and omega are rounded to 2 decimals. They are integrated later, and so are the rounding errors: round only "
+                "for display.",
+                "V と omega が小数第 2 位までに丸められています。あとで積分すると丸め誤差も積み重なります。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
@@ -648,7 +711,8 @@ EXERCISE = Exercise(
         Mistake(
             side_by_side,
             Text(
-                "For arrays one row (V, omega) for each sample comes back. Asked for is the pair of two arrays: all of V, then all of omega.",
+                "For arrays one row (V, omega) for each sample comes back. Asked for is the pair of two arrays: all of V, then "
+                "all of omega.",
                 "配列を渡すと、サンプルごとの行 (V, omega) が返っています。V の配列と omega の配列の組を返しましょう。",
             ),
         ),

@@ -159,6 +159,10 @@ def tread_missing_for_right(radius_right, radius_left, tread):
     return np.array([[radius_right / 2, radius_left / 2], [radius_right, -radius_left / tread]])
 
 
+def tread_missing_for_left(radius_right, radius_left, tread):
+    return np.array([[radius_right / 2, radius_left / 2], [radius_right / tread, -radius_left]])
+
+
 def tread_multiplied(radius_right, radius_left, tread):
     return np.array([[radius_right / 2, radius_left / 2], [radius_right * tread, -radius_left * tread]])
 
@@ -248,15 +252,19 @@ EXERCISE = Exercise(
         Mistake(
             radius_right_for_both,
             Text(
-                "The right wheel's radius is used for both wheels. Eq. (5) has r_R and r_L: real wheels differ, and a small difference bends every straight run.",
-                "左右どちらにも右車輪の半径を使っています。式 (5) には r_R と r_L があります。実際の車輪は半径が少し違い、わずかな差でも直進が曲がります。",
+                "The right wheel's radius is used for both wheels. Eq. (5) has r_R and r_L: real wheels differ, and a small "
+                "difference bends every straight run.",
+                "左右どちらにも右車輪の半径を使っています。式 (5) には r_R と r_L があります。"
+                "実際の車輪は半径が少し違い、わずかな差でも直進が曲がります。",
             ),
         ),
         Mistake(
             radius_left_for_both,
             Text(
-                "The left wheel's radius is used for both wheels. Eq. (5) has r_R and r_L: real wheels differ, and a small difference bends every straight run.",
-                "左右どちらにも左車輪の半径を使っています。式 (5) には r_R と r_L があります。実際の車輪は半径が少し違い、わずかな差でも直進が曲がります。",
+                "The left wheel's radius is used for both wheels. Eq. (5) has r_R and r_L: real wheels differ, and a small "
+                "difference bends every straight run.",
+                "左右どちらにも左車輪の半径を使っています。式 (5) には r_R と r_L があります。"
+                "実際の車輪は半径が少し違い、わずかな差でも直進が曲がります。",
             ),
         ),
         Mistake(
@@ -269,7 +277,8 @@ EXERCISE = Exercise(
         Mistake(
             radii_exchanged,
             Text(
-                "r_R and r_L are exchanged in both rows: the first column belongs to the right wheel. Look at the order of the arguments too.",
+                "r_R and r_L are exchanged in both rows: the first column belongs to the right wheel. Look at the order of the "
+                "arguments too.",
                 "2 つの行とも r_R と r_L が入れ替わっています。1 列目は右車輪の列です。引数の順序も確かめましょう。",
             ),
         ),
@@ -318,22 +327,26 @@ EXERCISE = Exercise(
         Mistake(
             minus_missing,
             Text(
-                "The minus sign is missing in the second row: with both wheels alike the robot would turn. A left wheel that runs forward turns the robot "
+                "The minus sign is missing in the second row: with both wheels alike the robot would turn. A left wheel that "
+                "runs forward turns the robot "
                 "the other way than the right one.",
-                "2 行目のマイナスが抜けています。これでは両輪が等しくても旋回してしまいます。左車輪の前転は、右車輪とは逆向きの旋回を生みます。",
+                "2 行目のマイナスが抜けています。これでは両輪が等しくても旋回してしまいます。"
+                "左車輪の前転は、右車輪とは逆向きの旋回を生みます。",
             ),
         ),
         Mistake(
             left_minus_right,
             Text(
-                "The signs of the second row are turned round: left minus right. Eq. (5) has the plus at the right wheel, and the tread keeps its own sign.",
+                "The signs of the second row are turned round: left minus right. Eq. (5) has the plus at the right wheel, and "
+                "the tread keeps its own sign.",
                 "2 行目の符号が逆(左 - 右)です。式 (5) では右車輪の側がプラスです。トレッドの符号はそのまま使います。",
             ),
         ),
         Mistake(
             minus_in_first_row,
             Text(
-                "The minus sign stands in the first row instead of the second. Both wheels forward: V adds up, omega is a difference.",
+                "The minus sign stands in the first row instead of the second. Both wheels forward: V adds up, omega is a "
+                "difference.",
                 "マイナスが 2 行目ではなく 1 行目に付いています。両輪が前転するとき、V は和、omega は差になります。",
             ),
         ),
@@ -347,15 +360,19 @@ EXERCISE = Exercise(
         Mistake(
             both_negative_in_second_row,
             Text(
-                "Both entries of the second row are turned negative. A wheel forward on the right and one on the left turn the robot in opposite ways.",
+                "Both entries of the second row are turned negative. A wheel forward on the right and one on the left turn the "
+                "robot in opposite ways.",
                 "2 行目の両方の要素にマイナスが付いています。右車輪と左車輪の前転は、互いに逆向きの旋回を生みます。",
             ),
         ),
         Mistake(
             sign_of_tread_lost,
             Text(
-                "The tread is made positive. A negative tread is no slip: it says that yaw counts clockwise, as the IMU with z down does. Keep the sign.",
-                "トレッドを正に直しています。負のトレッドは誤りではなく、z 軸が下向きの IMU と同じように、方位を時計回りに数えることを表します。符号はそのままにしましょう。",
+                "The tread is made positive. A negative tread is no slip: it says that yaw counts clockwise, as the IMU with z "
+                "down does. Keep the sign.",
+                "トレッドを正に直しています。"
+                "負のトレッドは誤りではなく、z 軸が下向きの IMU と同じように、方位を時計回りに数えることを表します。"
+                "符号はそのままにしましょう。",
             ),
         ),
         Mistake(
@@ -396,7 +413,8 @@ EXERCISE = Exercise(
         Mistake(
             halves_in_both_rows,
             Text(
-                "The second row is half of what it should be. The half belongs to V, a mean; omega is the difference over the whole tread.",
+                "The second row is half of what it should be. The half belongs to V, a mean; omega is the difference over the "
+                "whole tread.",
                 "2 行目が半分になっています。1/2 が必要なのは平均である V だけです。omega は差をトレッド全体で割ったものです。",
             ),
         ),
@@ -405,7 +423,8 @@ EXERCISE = Exercise(
             Text(
                 "The second row is twice what it should be: half the tread is used. T is the whole distance between the wheels "
                 "(the d of the slides on dead reckoning is half of it).",
-                "2 行目が 2 倍になっています。トレッドの半分で割っています。T は車輪の間隔全体です(デッドレコニングのスライドの d はその半分です)。",
+                "2 行目が 2 倍になっています。トレッドの半分で割っています。"
+                "T は車輪の間隔全体です(デッドレコニングのスライドの d はその半分です)。",
             ),
         ),
         Mistake(
@@ -444,6 +463,13 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            tread_missing_for_left,
+            Text(
+                "In the second row only the right wheel's entry is divided by the tread. Both are.",
+                "2 行目では右車輪の要素だけがトレッドで割られています。両方とも割ります。",
+            ),
+        ),
+        Mistake(
             tread_multiplied,
             Text(
                 "The second row is multiplied by the tread. A wider robot turns more slowly: divide by it.",
@@ -467,7 +493,8 @@ EXERCISE = Exercise(
         Mistake(
             radii_left_out,
             Text(
-                "The radii are missing: this matrix maps the speeds of the wheels' rims, v_R and v_L. Eq. (5) begins with their angular velocities.",
+                "The radii are missing: this matrix maps the speeds of the wheels' rims, v_R and v_L. Eq. (5) begins with their "
+                "angular velocities.",
                 "半径が抜けていて、周の速度 v_R, v_L に掛ける行列になっています。式 (5) は車輪の角速度から始まります。",
             ),
         ),
@@ -502,15 +529,18 @@ EXERCISE = Exercise(
         Mistake(
             circumference_for_radius,
             Text(
-                "All entries carry 2π: the circumference instead of the radius. omega_R is in rad/s, and rad times radius is a length already.",
-                "すべての要素に 2π が掛かっています。半径の代わりに円周を使っていませんか。omega_R は rad/s なので、半径を掛けるだけで速度になります。",
+                "All entries carry 2π: the circumference instead of the radius. omega_R is in rad/s, and rad times radius is a "
+                "length already.",
+                "すべての要素に 2π が掛かっています。半径の代わりに円周を使っていませんか。"
+                "omega_R は rad/s なので、半径を掛けるだけで速度になります。",
             ),
         ),
         Mistake(
             tread_of_the_slides,
             Text(
                 "The tread is always -0.3045 m, that of the i-Cart in the slides. Use the argument tread: robots differ.",
-                "トレッドがいつも -0.3045 m(スライドの i-Cart の値)になっています。ロボットによって違うので、引数 tread を使いましょう。",
+                "トレッドがいつも -0.3045 m(スライドの i-Cart の値)になっています。"
+                "ロボットによって違うので、引数 tread を使いましょう。",
             ),
         ),
         Mistake(
@@ -520,22 +550,26 @@ EXERCISE = Exercise(
         Mistake(
             decimals_cut_off,
             Text(
-                "With whole numbers the decimals are cut off: an array made of integers holds integers only. Make it with dtype=float.",
-                "整数が渡されると小数部分が切り捨てられます。整数から作った配列には整数しか入りません。dtype=float を指定しましょう。",
+                "With whole numbers the decimals are cut off: an array made of integers holds integers only. Make it with "
+                "dtype=float.",
+                "整数が渡されると小数部分が切り捨てられます。整数から作った配列には整数しか入りません。"
+                "dtype=float を指定しましょう。",
             ),
         ),
         Mistake(
             rounded,
             Text(
                 "The entries are rounded to 3 decimals. A difference of the radii shows in the fourth: round only for display.",
-                "要素が小数第 3 位までに丸められています。左右の半径の差は小数第 4 位に現れます。丸めるのは表示のときだけにしましょう。",
+                "要素が小数第 3 位までに丸められています。左右の半径の差は小数第 4 位に現れます。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
             rounded_coarsely,
             Text(
                 "The entries are rounded to 2 decimals. A difference of the radii shows in the fourth: round only for display.",
-                "要素が小数第 2 位までに丸められています。左右の半径の差は小数第 4 位に現れます。丸めるのは表示のときだけにしましょう。",
+                "要素が小数第 2 位までに丸められています。左右の半径の差は小数第 4 位に現れます。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
@@ -555,7 +589,8 @@ EXERCISE = Exercise(
         Mistake(
             rows_added_up,
             Text(
-                "Two values come back: the matrix is multiplied by (1, 1) already, or its rows are added up. Keep the four entries apart.",
+                "Two values come back: the matrix is multiplied by (1, 1) already, or its rows are added up. Keep the four "
+                "entries apart.",
                 "値が 2 つだけ返っています。行ごとに要素を足し合わせています。4 つの要素を別々に並べましょう。",
             ),
         ),

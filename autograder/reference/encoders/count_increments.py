@@ -162,6 +162,16 @@ def backward_taken_for_wrap(counter):
     return np.diff(np.asarray(counter, dtype=int)) % 65536
 
 
+def shifted_by_half_the_range(counter):
+    d = np.diff(np.asarray(counter, dtype=int))
+    return (d + 32768) % 65536
+
+
+def shifted_back_only(counter):
+    d = np.diff(np.asarray(counter, dtype=int))
+    return d % 65536 - 32768
+
+
 def passage_through_zero_taken_for_wrap(counter):
     return np.diff(np.asarray(counter, dtype=int).astype(np.uint16).astype(int))
 
@@ -261,6 +271,11 @@ def zero_at_the_end(counter):
     return np.concatenate([(d + 32768) % 65536 - 32768, [0]])
 
 
+def single_reading_gives_zero(counter):
+    d = np.diff(np.asarray(counter, dtype=int))
+    return (d + 32768) % 65536 - 32768 if len(d) else np.zeros(1)
+
+
 def last_left_out(counter):
     d = np.diff(np.asarray(counter, dtype=int))
     return ((d + 32768) % 65536 - 32768)[:-1]
@@ -312,96 +327,118 @@ EXERCISE = Exercise(
         Mistake(
             wrap_ignored,
             Text(
-                "Where the counter wraps there is a jump of 65536 counts. The counter has 16 bits: after 32767 comes -32768, and the wheel has moved "
+                "Where the counter wraps there is a jump of 65536 counts. The counter has 16 bits: after 32767 comes -32768, "
+                "and the wheel has moved "
                 "by one count only. Bring such a difference back into the 16-bit range.",
-                "カウンタが一周するところで 65536 カウント飛んでいます。カウンタは 16 ビットなので 32767 の次は -32768 になりますが、車輪が動いたのは 1 カウントだけです。"
+                "カウンタが一周するところで 65536 カウント飛んでいます。"
+                "カウンタは 16 ビットなので 32767 の次は -32768 になりますが、車輪が動いたのは 1 カウントだけです。"
                 "その差を 16 ビットの範囲に戻しましょう。",
             ),
         ),
         Mistake(
             type_relied_on,
             Text(
-                "This is right only if the counter comes as an int16 array, which wraps by itself. A list or an array of another type does not: "
+                "This is right only if the counter comes as an int16 array, which wraps by itself. A list or an array of "
+                "another type does not: "
                 "do the 16-bit arithmetic yourself, or convert first.",
-                "カウンタが int16 の配列のときだけ正しくなります。int16 の引き算はひとりでに一周しますが、リストや他の型の配列ではそうなりません。"
+                "カウンタが int16 の配列のときだけ正しくなります。"
+                "int16 の引き算はひとりでに一周しますが、リストや他の型の配列ではそうなりません。"
                 "16 ビットの計算を自分で行うか、先に型を変換しましょう。",
             ),
         ),
         Mistake(
             upward_wrap_only,
             Text(
-                "The wrap from 32767 to -32768 is corrected, the one from -32768 to 32767 is not. A wheel that reverses crosses it that way.",
-                "32767 から -32768 への桁あふれは直していますが、-32768 から 32767 への桁あふれは直していません。逆転する車輪ではこちらが起こります。",
+                "The wrap from 32767 to -32768 is corrected, the one from -32768 to 32767 is not. A wheel that reverses crosses "
+                "it that way.",
+                "32767 から -32768 への桁あふれは直していますが、-32768 から 32767 への桁あふれは直していません。"
+                "逆転する車輪ではこちらが起こります。",
             ),
         ),
         Mistake(
             downward_wrap_only,
             Text(
-                "The wrap from -32768 to 32767 is corrected, the one from 32767 to -32768 is not. A wheel that runs forward crosses it that way.",
-                "-32768 から 32767 への桁あふれは直していますが、32767 から -32768 への桁あふれは直していません。正転する車輪ではこちらが起こります。",
+                "The wrap from -32768 to 32767 is corrected, the one from 32767 to -32768 is not. A wheel that runs forward "
+                "crosses it that way.",
+                "-32768 から 32767 への桁あふれは直していますが、32767 から -32768 への桁あふれは直していません。"
+                "正転する車輪ではこちらが起こります。",
             ),
         ),
         Mistake(
             range_65535,
             Text(
-                "One count is lost at every wrap: 65535 is the largest 16-bit number, but how many different values are there, 0 included?",
+                "One count is lost at every wrap: 65535 is the largest 16-bit number, but how many different values are there, "
+                "0 included?",
                 "桁あふれのたびに 1 カウント失われています。65535 は 16 ビットの最大値です。0 も含めると、値は何通りありますか。",
             ),
         ),
         Mistake(
             range_32768,
             Text(
-                "At a wrap the difference is corrected by 32768, half of the range only. From -32768 to 32767: how many values does the counter have?",
+                "At a wrap the difference is corrected by 32768, half of the range only. From -32768 to 32767: how many values "
+                "does the counter have?",
                 "桁あふれを 32768(範囲の半分)だけ補正しています。-32768 から 32767 まで、カウンタの値は何通りありますか。",
             ),
         ),
         Mistake(
             range_32767,
             Text(
-                "At a wrap the difference is corrected by 32767, the largest value. What must be added is the number of all values from -32768 to 32767.",
+                "At a wrap the difference is corrected by 32767, the largest value. What must be added is the number of all "
+                "values from -32768 to 32767.",
                 "桁あふれを 32767(最大値)だけ補正しています。足し引きすべきなのは、-32768 から 32767 までの値の個数です。",
             ),
         ),
         Mistake(
             modulo_32768,
             Text(
-                "The differences are brought back modulo 32768, half of the range, so that fast steps are wrong too. From -32768 to 32767: how many values are there?",
-                "差を 32768(範囲の半分)の剰余で戻しているため、大きな増分も誤りになります。-32768 から 32767 まで、値は何通りありますか。",
+                "The differences are brought back modulo 32768, half of the range, so that fast steps are wrong too. From "
+                "-32768 to 32767: how many values are there?",
+                "差を 32768(範囲の半分)の剰余で戻しているため、大きな増分も誤りになります。"
+                "-32768 から 32767 まで、値は何通りありますか。",
             ),
         ),
         Mistake(
             half_range_from_a_quarter,
             Text(
-                "32768 is taken for the length of the range and 16384 for its half. From -32768 to 32767: how many values does the counter have?",
+                "32768 is taken for the length of the range and 16384 for its half. From -32768 to 32767: how many values does "
+                "the counter have?",
                 "範囲の長さを 32768、その半分を 16384 としています。-32768 から 32767 まで、カウンタの値は何通りありますか。",
             ),
         ),
         Mistake(
             wrap_seen_too_early,
             Text(
-                "A fast wheel is taken for a wrap: steps above 16384 are corrected although they are real. True increments go up to 32000.",
-                "速い車輪の増分を桁あふれとみなしています。16384 を超える本物の増分まで補正されています。本当の増分は 32000 まであります。",
+                "A fast wheel is taken for a wrap: steps above 16384 are corrected although they are real. True increments go "
+                "up to 32000.",
+                "速い車輪の増分を桁あふれとみなしています。16384 を超える本物の増分まで補正されています。"
+                "本当の増分は 32000 まであります。",
             ),
         ),
         Mistake(
             wrap_seen_from_30000,
             Text(
-                "A very fast wheel is taken for a wrap: steps just above 30000 are corrected although they are real. True increments go up to 32000.",
-                "非常に速い車輪の増分を桁あふれとみなしています。30000 を少し超える本物の増分まで補正されています。本当の増分は 32000 まであります。",
+                "A very fast wheel is taken for a wrap: steps just above 30000 are corrected although they are real. True "
+                "increments go up to 32000.",
+                "非常に速い車輪の増分を桁あふれとみなしています。30000 を少し超える本物の増分まで補正されています。"
+                "本当の増分は 32000 まであります。",
             ),
         ),
         Mistake(
             wrap_seen_too_late,
             Text(
-                "A wrap is noticed only if the jump is close to 65536. If the wheel is fast the jump is smaller: which differences can no true increment make?",
-                "飛びが 65536 に近いときだけ桁あふれとみなしています。車輪が速いと飛びは小さくなります。本当の増分ではありえない差はどこからでしょうか。",
+                "A wrap is noticed only if the jump is close to 65536. If the wheel is fast the jump is smaller: which "
+                "differences can no true increment make?",
+                "飛びが 65536 に近いときだけ桁あふれとみなしています。車輪が速いと飛びは小さくなります。"
+                "本当の増分ではありえない差はどこからでしょうか。",
             ),
         ),
         Mistake(
             wrap_near_the_ends_only,
             Text(
-                "A wrap is noticed only if both readings lie beyond 30000, near the ends. A fast wheel wraps from further inside: look at the difference, not at the readings.",
-                "2 つの読みがどちらも 30000 を超えて端に近いときだけ、桁あふれとみなしています。車輪が速ければ、もっと内側からでも桁あふれします。"
+                "A wrap is noticed only if both readings lie beyond 30000, near the ends. A fast wheel wraps from further "
+                "inside: look at the difference, not at the readings.",
+                "2 つの読みがどちらも 30000 を超えて端に近いときだけ、桁あふれとみなしています。"
+                "車輪が速ければ、もっと内側からでも桁あふれします。"
                 "読みではなく差を見ましょう。",
             ),
         ),
@@ -415,7 +452,8 @@ EXERCISE = Exercise(
         Mistake(
             corrected_the_wrong_way,
             Text(
-                "The correction makes the jump larger: added where it must be subtracted. Compute the step from 32767 to -32768 by hand.",
+                "The correction makes the jump larger: added where it must be subtracted. Compute the step from 32767 to -32768 "
+                "by hand.",
                 "補正の向きが逆で、飛びがかえって大きくなっています。32767 から -32768 への 1 歩を手で計算してみましょう。",
             ),
         ),
@@ -429,17 +467,37 @@ EXERCISE = Exercise(
         Mistake(
             backward_taken_for_wrap,
             Text(
-                "A wheel that reverses makes increments near 65536: every falling counter is taken for a wrap. Increments may be negative; "
+                "A wheel that reverses makes increments near 65536: every falling counter is taken for a wrap. Increments may "
+                "be negative; "
                 "a modulo alone gives 0..65535.",
-                "逆転したときに 65536 に近い増分が出ています。カウンタが減るたびに桁あふれとみなしています。増分は負にもなります。剰余だけでは 0〜65535 になってしまいます。",
+                "逆転したときに 65536 に近い増分が出ています。カウンタが減るたびに桁あふれとみなしています。"
+                "増分は負にもなります。剰余だけでは 0〜65535 になってしまいます。",
+            ),
+        ),
+        Mistake(
+            shifted_by_half_the_range,
+            Text(
+                "All increments are 32768 too large: half the range is added before the modulo and must come off again after it.",
+                "すべての増分が 32768 だけ大きくなっています。剰余をとる前に足した範囲の半分は、あとで引かなければなりません。",
+            ),
+        ),
+        Mistake(
+            shifted_back_only,
+            Text(
+                "All increments are off by 32768: half the range is subtracted after the modulo, but not added before it. A "
+                "wheel at rest must give 0.",
+                "すべての増分が 32768 ずれています。剰余をとった後に範囲の半分を引いていますが、前に足していません。"
+                "止まっている車輪の増分は 0 のはずです。",
             ),
         ),
         Mistake(
             passage_through_zero_taken_for_wrap,
             Text(
-                "Where the counter passes through 0 there is now a jump of 65536: the readings are made unsigned (0..65535), or every change of their "
+                "Where the counter passes through 0 there is now a jump of 65536: the readings are made unsigned (0..65535), or "
+                "every change of their "
                 "sign is taken for a wrap. Look at the size of the difference of the readings as they come.",
-                "カウンタが 0 を通るところで 65536 の飛びが出ています。読みを符号なし(0〜65535)に直しているか、符号が変わるたびに桁あふれとみなしています。"
+                "カウンタが 0 を通るところで 65536 の飛びが出ています。"
+                "読みを符号なし(0〜65535)に直しているか、符号が変わるたびに桁あふれとみなしています。"
                 "元の読みのまま、差の大きさを見ましょう。",
             ),
         ),
@@ -467,23 +525,29 @@ EXERCISE = Exercise(
         Mistake(
             wrap_restarts_at_new_reading,
             Text(
-                "At a wrap the new reading itself is taken for the increment, as if the counter restarted at 0. It goes on at the other end of its range.",
-                "桁あふれのところで、新しい読みをそのまま増分としています。カウンタは 0 に戻るのではなく、範囲の反対の端から続きます。",
+                "At a wrap the new reading itself is taken for the increment, as if the counter restarted at 0. It goes on at "
+                "the other end of its range.",
+                "桁あふれのところで、新しい読みをそのまま増分としています。"
+                "カウンタは 0 に戻るのではなく、範囲の反対の端から続きます。",
             ),
         ),
         Mistake(
             clipped,
             Text(
-                "Large differences are cut off at 32000. That hides the jump, but the increment is still wrong: add or subtract what the wrap took away.",
-                "大きな差を 32000 で打ち切っています。飛びは目立たなくなりますが、増分は誤ったままです。桁あふれで失われた分を足し引きしましょう。",
+                "Large differences are cut off at 32000. That hides the jump, but the increment is still wrong: add or subtract "
+                "what the wrap took away.",
+                "大きな差を 32000 で打ち切っています。飛びは目立たなくなりますが、増分は誤ったままです。"
+                "桁あふれで失われた分を足し引きしましょう。",
             ),
         ),
         Mistake(
             clipped_at_16_bits,
             Text(
-                "Large differences are cut off at the ends of the 16-bit range. That hides the jump, but the increment is still wrong: "
+                "Large differences are cut off at the ends of the 16-bit range. That hides the jump, but the increment is still "
+                "wrong: "
                 "add or subtract what the wrap took away.",
-                "大きな差を 16 ビットの範囲の端で打ち切っています。飛びは目立たなくなりますが、増分は誤ったままです。桁あふれで失われた分を足し引きしましょう。",
+                "大きな差を 16 ビットの範囲の端で打ち切っています。飛びは目立たなくなりますが、増分は誤ったままです。"
+                "桁あふれで失われた分を足し引きしましょう。",
             ),
         ),
         Mistake(
@@ -496,29 +560,35 @@ EXERCISE = Exercise(
         Mistake(
             one_reading_corrected,
             Text(
-                "Only the reading right after the wrap is moved, so the jump comes one step later. Either all readings after it move, or the difference alone is corrected.",
-                "桁あふれの直後の読みだけをずらしているため、次のところで飛びが出ています。以後の読みをすべてずらすか、差だけを直しましょう。",
+                "Only the reading right after the wrap is moved, so the jump comes one step later. Either all readings after it "
+                "move, or the difference alone is corrected.",
+                "桁あふれの直後の読みだけをずらしているため、次のところで飛びが出ています。"
+                "以後の読みをすべてずらすか、差だけを直しましょう。",
             ),
         ),
         Mistake(
             unwrapped_by_two_pi,
             Text(
-                "np.unwrap is used for angles here: it takes the range for 2π. Tell it the range of the counter (its argument period).",
+                "np.unwrap is used for angles here: it takes the range for 2π. Tell it the range of the counter (its argument "
+                "period).",
                 "np.unwrap を角度用のまま(周期 2π で)使っています。引数 period でカウンタの範囲を指定しましょう。",
             ),
         ),
         Mistake(
             running_counter_returned,
             Text(
-                "The wraps are gone, but these are the readings themselves, not the increments. Take differences of neighbours as well.",
+                "The wraps are gone, but these are the readings themselves, not the increments. Take differences of neighbours "
+                "as well.",
                 "桁あふれは直っていますが、増分ではなくカウンタの読みそのものです。さらに隣どうしの差をとりましょう。",
             ),
         ),
         Mistake(
             whole_running_counter_returned,
             Text(
-                "The wraps are gone, but these are the readings themselves, as many as before. Increments are differences of neighbours, one fewer.",
-                "桁あふれは直っていますが、カウンタの読みそのものが同じ個数だけ返っています。増分は隣どうしの差で、1 つ少なくなります。",
+                "The wraps are gone, but these are the readings themselves, as many as before. Increments are differences of "
+                "neighbours, one fewer.",
+                "桁あふれは直っていますが、カウンタの読みそのものが同じ個数だけ返っています。"
+                "増分は隣どうしの差で、1 つ少なくなります。",
             ),
         ),
         Mistake(
@@ -529,9 +599,18 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            single_reading_gives_zero,
+            Text(
+                "A single reading gives a 0. One reading has no neighbour, so that there is no increment at all: the result is "
+                "empty, shape (0,).",
+                "読みが 1 つだけのとき 0 が返っています。隣の読みがないので増分は 1 つもなく、結果は空(形状 (0,))になります。",
+            ),
+        ),
+        Mistake(
             count_since_the_start_with_zero,
             Text(
-                "This is the count since the start, with a 0 in front. Asked for are the increments, one fewer than there are readings.",
+                "This is the count since the start, with a 0 in front. Asked for are the increments, one fewer than there are "
+                "readings.",
                 "先頭に 0 の付いた、最初からのカウントになっています。求めるのは増分で、読みの個数より 1 つ少なくなります。",
             ),
         ),
@@ -552,15 +631,18 @@ EXERCISE = Exercise(
         Mistake(
             zero_at_the_front_and_wrap_ignored,
             Text(
-                "There is a 0 too many at the front: N readings have N-1 gaps between them. And where the counter wraps there is still a jump of 65536.",
+                "There is a 0 too many at the front: N readings have N-1 gaps between them. And where the counter wraps there "
+                "is still a jump of 65536.",
                 "先頭に余分な 0 があります。N 個の読みの間隔は N-1 個です。また、桁あふれのところで 65536 の飛びが残っています。",
             ),
         ),
         Mistake(
             counted_from_zero,
             Text(
-                "The first reading is counted as an increment from 0. Where the counter stands at first says nothing about motion: N readings make N-1 increments.",
-                "最初の読みを 0 からの増分として数えています。最初のカウンタの値は動きとは関係ありません。N 個の読みから N-1 個の増分が得られます。",
+                "The first reading is counted as an increment from 0. Where the counter stands at first says nothing about "
+                "motion: N readings make N-1 increments.",
+                "最初の読みを 0 からの増分として数えています。最初のカウンタの値は動きとは関係ありません。"
+                "N 個の読みから N-1 個の増分が得られます。",
             ),
         ),
         Mistake(

@@ -279,15 +279,19 @@ EXERCISE = Exercise(
         Mistake(
             half_of_it,
             Text(
-                "The result is half of what it should be: π r instead of 2π r, as if the radius were the diameter, or half a count. One turn of the wheel is 2πr: 0.908 m for r = 0.1446 m.",
-                "結果が半分になっています。2πr ではなく πr(半径を直径とみなした値)か、半カウント分の値です。1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
+                "The result is half of what it should be: π r instead of 2π r, as if the radius were the diameter, or half a "
+                "count. One turn of the wheel is 2πr: 0.908 m for r = 0.1446 m.",
+                "結果が半分になっています。2πr ではなく πr(半径を直径とみなした値)か、半カウント分の値です。"
+                "1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
             ),
         ),
         Mistake(
             twice_of_it,
             Text(
-                "The result is twice what it should be: a diameter used as the radius, or a 2 counted twice. One turn of the wheel is 2πr: 0.908 m for r = 0.1446 m.",
-                "結果が 2 倍になっています。半径の代わりに直径を使ったか、2 を余分に掛けています。1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
+                "The result is twice what it should be: a diameter used as the radius, or a 2 counted twice. One turn of the "
+                "wheel is 2πr: 0.908 m for r = 0.1446 m.",
+                "結果が 2 倍になっています。半径の代わりに直径を使ったか、2 を余分に掛けています。"
+                "1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
             ),
         ),
         Mistake(
@@ -300,8 +304,10 @@ EXERCISE = Exercise(
         Mistake(
             two_pi_divided,
             Text(
-                "2π stands in the denominator. From turns to rad you multiply; look at the brackets too: x / a * b is not x / (a * b).",
-                "2π が分母に入っています。回転数を rad にするには 2π を掛けます。括弧にも注意しましょう。x / a * b と x / (a * b) は違います。",
+                "2π stands in the denominator. From turns to rad you multiply; look at the brackets too: x / a * b is not x / "
+                "(a * b).",
+                "2π が分母に入っています。回転数を rad にするには 2π を掛けます。括弧にも注意しましょう。"
+                "x / a * b と x / (a * b) は違います。",
             ),
         ),
         Mistake(
@@ -335,8 +341,10 @@ EXERCISE = Exercise(
         Mistake(
             gear_multiplied,
             Text(
-                "The gear ratio is multiplied. With a higher gear there are more counts to one turn of the wheel: does one count then mean more or less?",
-                "ギア比を掛けています。ギア比が大きいほど、タイヤ 1 回転のカウントは増えます。1 カウントの意味する量は増えますか、減りますか。",
+                "The gear ratio is multiplied. With a higher gear there are more counts to one turn of the wheel: does one "
+                "count then mean more or less?",
+                "ギア比を掛けています。ギア比が大きいほど、タイヤ 1 回転のカウントは増えます。"
+                "1 カウントの意味する量は増えますか、減りますか。",
             ),
         ),
         Mistake(
@@ -349,8 +357,11 @@ EXERCISE = Exercise(
         Mistake(
             gear_added,
             Text(
-                "gear and counts_per_rev are added. In one turn of the wheel the motor makes gear turns of counts_per_rev counts each: how many counts is that?",
-                "gear と counts_per_rev を足しています。タイヤが 1 回転する間にモータは gear 回転し、1 回転ごとに counts_per_rev カウント数えます。全部で何カウントでしょうか。",
+                "gear and counts_per_rev are added. In one turn of the wheel the motor makes gear turns of counts_per_rev "
+                "counts each: how many counts is that?",
+                "gear と counts_per_rev を足しています。"
+                "タイヤが 1 回転する間にモータは gear 回転し、1 回転ごとに counts_per_rev カウント数えます。"
+                "全部で何カウントでしょうか。",
             ),
         ),
         Mistake(
@@ -384,21 +395,27 @@ EXERCISE = Exercise(
         Mistake(
             both_multiplied,
             Text(
-                "gear and counts_per_rev are multiplied instead of divided by: one count would move the robot by kilometres. The more counts to a turn, the less one of them means.",
-                "gear と counts_per_rev で割らずに掛けているため、1 カウントで何 km も進むことになります。1 回転のカウントが多いほど、1 カウントの意味する量は小さくなります。",
+                "gear and counts_per_rev are multiplied instead of divided by: one count would move the robot by kilometres. "
+                "The more counts to a turn, the less one of them means.",
+                "gear と counts_per_rev で割らずに掛けているため、1 カウントで何 km も進むことになります。"
+                "1 回転のカウントが多いほど、1 カウントの意味する量は小さくなります。",
             ),
         ),
         Mistake(
             counts_per_rev_taken_for_pulses,
             Text(
-                "The result is a quarter of what it should be: either counts_per_rev is taken for pulses (it is in counts, 4x decoding included), or a 2 that belongs above the fraction line stands below it.",
-                "結果が 1/4 になっています。counts_per_rev をパルス数とみなしているか(実際は 4 逓倍した後のカウント数です)、分子にあるべき 2 が分母に入っています。",
+                "The result is a quarter of what it should be: either counts_per_rev is taken for pulses (it is in counts, 4x "
+                "decoding included), or a 2 that belongs above the fraction line stands below it.",
+                "結果が 1/4 になっています。"
+                "counts_per_rev をパルス数とみなしているか(実際は 4 逓倍した後のカウント数です)、"
+                "分子にあるべき 2 が分母に入っています。",
             ),
         ),
         Mistake(
             count_taken_for_pulse,
             Text(
-                "The result is four times what it should be: this is for one pulse. One count is a quarter of a pulse, and counts_per_rev is in counts already.",
+                "The result is four times what it should be: this is for one pulse. One count is a quarter of a pulse, and "
+                "counts_per_rev is in counts already.",
                 "結果が 4 倍で、1 パルス分になっています。1 カウントは 1/4 パルスで、counts_per_rev もすでにカウントの数です。",
             ),
         ),
@@ -440,29 +457,37 @@ EXERCISE = Exercise(
         Mistake(
             integer_division,
             Text(
-                "The result is 0: // drops the fraction (so do int and rounding), and one count is far less than a metre. Divide with /.",
-                "結果が 0 になっています。// は(int や丸めも)小数部分を捨てます。1 カウントは 1 m よりずっと小さい量です。/ で割りましょう。",
+                "The result is 0: // drops the fraction (so do int and rounding), and one count is far less than a metre. "
+                "Divide with /.",
+                "結果が 0 になっています。// は(int や丸めも)小数部分を捨てます。1 カウントは 1 m よりずっと小さい量です。"
+                "/ で割りましょう。",
             ),
         ),
         Mistake(
             rounded,
             Text(
-                "The result is rounded to 5 decimals. It is small and is multiplied by thousands of counts later: round only for display.",
-                "結果が小数第 5 位までに丸められています。小さな値で、あとで何千カウントも掛けます。丸めるのは表示のときだけにしましょう。",
+                "The result is rounded to 5 decimals. It is small and is multiplied by thousands of counts later: round only "
+                "for display.",
+                "結果が小数第 5 位までに丸められています。小さな値で、あとで何千カウントも掛けます。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
             rounded_coarsely,
             Text(
-                "The result is rounded to 4 decimals. It is small and is multiplied by thousands of counts later: round only for display.",
-                "結果が小数第 4 位までに丸められています。小さな値で、あとで何千カウントも掛けます。丸めるのは表示のときだけにしましょう。",
+                "The result is rounded to 4 decimals. It is small and is multiplied by thousands of counts later: round only "
+                "for display.",
+                "結果が小数第 4 位までに丸められています。小さな値で、あとで何千カウントも掛けます。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
             rounded_to_micrometres,
             Text(
-                "The result is rounded to 6 decimals. One count is only some 1e-5 m, and it is multiplied by thousands of counts later: round only for display.",
-                "結果が小数第 6 位までに丸められています。1 カウントは 1e-5 m ほどしかなく、あとで何千カウントも掛けます。丸めるのは表示のときだけにしましょう。",
+                "The result is rounded to 6 decimals. One count is only some 1e-5 m, and it is multiplied by thousands of "
+                "counts later: round only for display.",
+                "結果が小数第 6 位までに丸められています。1 カウントは 1e-5 m ほどしかなく、あとで何千カウントも掛けます。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(

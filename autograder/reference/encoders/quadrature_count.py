@@ -105,9 +105,19 @@ def only_edges_of_b(a, b):
     return np.concatenate([[0], np.cumsum(np.diff(b) * (2 * a[1:] - 1))])
 
 
+def only_edges_of_a_and_reversed(a, b):
+    a, b = np.asarray(a, dtype=int), np.asarray(b, dtype=int)
+    return np.concatenate([[0], np.cumsum(np.diff(a) * (2 * b[1:] - 1))])
+
+
 def only_rising_edges_of_a(a, b):
     a, b = np.asarray(a, dtype=int), np.asarray(b, dtype=int)
     return np.concatenate([[0], np.cumsum((np.diff(a) == 1) * (1 - 2 * b[1:]))])
+
+
+def only_rising_edges_of_b(a, b):
+    a, b = np.asarray(a, dtype=int), np.asarray(b, dtype=int)
+    return np.concatenate([[0], np.cumsum((np.diff(b) == 1) * (2 * a[1:] - 1))])
 
 
 def only_rising_edges(a, b):
@@ -161,6 +171,11 @@ def end_of_the_cycle_missed(a, b):
     a, b = np.asarray(a, dtype=int), np.asarray(b, dtype=int)
     state = 2 * b + (a ^ b)
     return state - state[0]
+
+
+def step_back_counts_three(a, b):
+    a, b = np.asarray(a, dtype=int), np.asarray(b, dtype=int)
+    return np.concatenate([[0], np.cumsum(np.diff(2 * b + (a ^ b)) % 4)])
 
 
 def step_over_the_cycle_dropped(a, b):
@@ -217,6 +232,20 @@ def begins_as_if_from_00(a, b):
     a, b = np.asarray(a, dtype=int), np.asarray(b, dtype=int)
     step = np.diff(2 * b + (a ^ b), prepend=0) % 4
     return np.cumsum(np.array([0, 1, 0, -1])[step])
+
+
+def begins_as_if_from_00_and_one_edge_back(a, b):
+    a, b = np.asarray(a, dtype=int), np.asarray(b, dtype=int)
+    step = np.diff(2 * b + (a ^ b), prepend=0) % 4
+    first = np.array([0, 1, -1, -1])[step[0]]
+    return first + np.concatenate([[0], np.cumsum(np.array([0, 1, 0, -1])[step[1:]])])
+
+
+def begins_as_if_from_00_and_two_edges(a, b):
+    a, b = np.asarray(a, dtype=int), np.asarray(b, dtype=int)
+    step = np.diff(2 * b + (a ^ b), prepend=0) % 4
+    first = np.array([0, 1, 2, -1])[step[0]]
+    return first + np.concatenate([[0], np.cumsum(np.array([0, 1, 0, -1])[step[1:]])])
 
 
 def begins_with_one(a, b):
@@ -278,7 +307,8 @@ EXERCISE = Exercise(
         Mistake(
             direction_reversed,
             Text(
-                "Every step has the wrong sign: A leading B counts down. Follow the states 00, 10, 11, 01 in the text with your finger: "
+                "Every step has the wrong sign: A leading B counts down. Follow the states 00, 10, 11, 01 in the text with your "
+                "finger: "
                 "that order is forward. Are A and B exchanged, or two states in your table?",
                 "すべてのステップの符号が逆で、A が B より先に変化するときに数が減っています。本文の 00, 10, 11, 01 の順が正転です。"
                 "A と B、または表の状態の順が入れ替わっていないか確かめましょう。",
@@ -317,9 +347,9 @@ EXERCISE = Exercise(
         Mistake(
             direction_taken_once,
             Text(
-                "The direction is found at the first edge and kept for ever. The shaft may turn back at any sample: find the direction "
+                "One direction is used from beginning to end. The shaft may turn back at any sample: find the direction "
                 "at every edge.",
-                "最初のエッジで決めた向きを最後まで使っています。軸はいつでも反転できるので、向きはエッジごとに判定しましょう。",
+                "最初から最後まで同じ向きを使っています。軸はいつでも反転できるので、向きはエッジごとに判定しましょう。",
             ),
         ),
         Mistake(
@@ -337,10 +367,28 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            only_edges_of_a_and_reversed,
+            Text(
+                "Only the edges of A are counted (2x decoding), and with the wrong sign. For 4x the edges of B count too; A "
+                "leading B counts up.",
+                "A のエッジだけを数えていて(2 逓倍)、符号も逆です。4 逓倍では B のエッジも数えます。"
+                "A が先に変化するときに数が増えます。",
+            ),
+        ),
+        Mistake(
             only_rising_edges_of_a,
             Text(
-                "Only the rising edges of A are counted: one per cycle. With 4x decoding every edge counts, rising and falling, of A and B.",
+                "Only the rising edges of A are counted: one per cycle. With 4x decoding every edge counts, rising and falling, "
+                "of A and B.",
                 "A の立ち上がりだけを数えています(1 周期に 1 回)。4 逓倍では A と B の立ち上がりと立ち下がりをすべて数えます。",
+            ),
+        ),
+        Mistake(
+            only_rising_edges_of_b,
+            Text(
+                "Only the rising edges of B are counted: one per cycle. With 4x decoding every edge counts, rising and falling, "
+                "of A and B.",
+                "B の立ち上がりだけを数えています(1 周期に 1 回)。4 逓倍では A と B の立ち上がりと立ち下がりをすべて数えます。",
             ),
         ),
         Mistake(
@@ -380,7 +428,8 @@ EXERCISE = Exercise(
         Mistake(
             difference_of_the_channels,
             Text(
-                "The change of B is subtracted from the change of A, and the count returns to its start in every cycle. The direction of an "
+                "The change of B is subtracted from the change of A, and the count returns to its start in every cycle. The "
+                "direction of an "
                 "edge depends on the level of the other channel, not on its change.",
                 "A の変化から B の変化を引いているため、1 周期ごとに元の数へ戻ってしまいます。"
                 "エッジの向きを決めるのは、相手のチャンネルの変化ではなく、そのときの値です。",
@@ -389,7 +438,8 @@ EXERCISE = Exercise(
         Mistake(
             edges_of_b_backwards,
             Text(
-                "The edges of A are right, those of B have the wrong sign, so the count trembles on the spot. One rule does not fit both: "
+                "The edges of A are right, those of B have the wrong sign, so the count trembles on the spot. One rule does not "
+                "fit both: "
                 "after an edge of A forward the levels differ or agree just the other way round than after an edge of B.",
                 "A のエッジは合っていますが、B のエッジの符号が逆で、数が行ったり来たりしています。A と B に同じ規則は使えません。"
                 "正転のとき、A のエッジの直後と B のエッジの直後では、2 つの値が等しいかどうかが逆になります。",
@@ -398,7 +448,8 @@ EXERCISE = Exercise(
         Mistake(
             edges_of_a_backwards,
             Text(
-                "The edges of B are right, those of A have the wrong sign, so the count trembles on the spot. One rule does not fit both: "
+                "The edges of B are right, those of A have the wrong sign, so the count trembles on the spot. One rule does not "
+                "fit both: "
                 "write down a and b after each of the four forward edges and compare.",
                 "B のエッジは合っていますが、A のエッジの符号が逆で、数が行ったり来たりしています。A と B に同じ規則は使えません。"
                 "正転の 4 つのエッジについて、直後の a と b を書き出して比べてみましょう。",
@@ -416,24 +467,39 @@ EXERCISE = Exercise(
         Mistake(
             pauses_counted,
             Text(
-                "Samples at which nothing changes are counted too. A shaft at rest gives no edge: ask first whether a or b changed at all.",
-                "何も変化していないサンプルでも数えています。止まっている軸にエッジはありません。まず a か b が変化したかどうかを調べましょう。",
+                "Samples at which nothing changes are counted too. A shaft at rest gives no edge: ask first whether a or b "
+                "changed at all.",
+                "何も変化していないサンプルでも数えています。止まっている軸にエッジはありません。"
+                "まず a か b が変化したかどうかを調べましょう。",
             ),
         ),
         Mistake(
             end_of_the_cycle_missed,
             Text(
-                "The count falls back when a cycle is complete: between the last state, 01, and the first, 00, the difference of state numbers is "
+                "The count falls back when a cycle is complete: between the last state, 01, and the first, 00, the difference "
+                "of state numbers is "
                 "3, yet the shaft moved by one edge. The states form a ring.",
-                "1 周期が終わるたびに数が戻っています。最後の状態 01 と最初の状態 00 の番号の差は 3 ですが、軸が動いたのは 1 エッジです。"
+                "1 周期が終わるたびに数が戻っています。"
+                "最後の状態 01 と最初の状態 00 の番号の差は 3 ですが、軸が動いたのは 1 エッジです。"
                 "状態は輪になってつながっています。",
+            ),
+        ),
+        Mistake(
+            step_back_counts_three,
+            Text(
+                "A step back counts +3, so that the count only ever grows. On the ring of states three forward is the same as "
+                "one back: which of the two is it?",
+                "1 つ戻るステップが +3 と数えられ、数が増えるばかりです。"
+                "状態の輪では 3 つ進むのと 1 つ戻るのは同じ位置ですが、実際に起きたのはどちらでしょうか。",
             ),
         ),
         Mistake(
             step_over_the_cycle_dropped,
             Text(
-                "The step between 01 and 00 is missing: one edge in every cycle is lost. The states form a ring; that step counts like any other.",
-                "01 と 00 の間のステップが数えられず、1 周期ごとに 1 エッジ失われています。状態は輪になっているので、このステップも同じように数えます。",
+                "The step between 01 and 00 is missing: one edge in every cycle is lost. The states form a ring; that step "
+                "counts like any other.",
+                "01 と 00 の間のステップが数えられず、1 周期ごとに 1 エッジ失われています。"
+                "状態は輪になっているので、このステップも同じように数えます。",
             ),
         ),
         Mistake(
@@ -455,7 +521,8 @@ EXERCISE = Exercise(
         Mistake(
             binary_order_of_states,
             Text(
-                "The states are numbered like binary numbers. An encoder runs through them in another order, in which only one bit changes "
+                "The states are numbered like binary numbers. An encoder runs through them in another order, in which only one "
+                "bit changes "
                 "at a time: 00, 10, 11, 01.",
                 "状態に 2 進数の順で番号を付けています。エンコーダでは一度に 1 ビットだけ変わる 00, 10, 11, 01 の順に進みます。",
             ),
@@ -463,7 +530,8 @@ EXERCISE = Exercise(
         Mistake(
             binary_order_b_first,
             Text(
-                "The states are numbered like binary numbers, with A as the lower bit. An encoder runs through them in another order, "
+                "The states are numbered like binary numbers, with A as the lower bit. An encoder runs through them in another "
+                "order, "
                 "in which only one bit changes at a time: (a, b) = 00, 10, 11, 01.",
                 "A を下位ビットとして、状態に 2 進数の順で番号を付けています。エンコーダでは (a, b) = 00, 10, 11, 01 のように、"
                 "一度に 1 ビットだけ変わる順に進みます。",
@@ -500,9 +568,29 @@ EXERCISE = Exercise(
         Mistake(
             begins_as_if_from_00,
             Text(
-                "The first sample is treated as if the state before it had been 00. There is no sample before the first: its count is 0, "
+                "The first sample is treated as if the state before it had been 00. There is no sample before the first: its "
+                "count is 0, "
                 "whatever the state.",
-                "最初のサンプルの前の状態を 00 とみなしています。最初のサンプルより前はないので、どの状態で始まっても最初のカウントは 0 です。",
+                "最初のサンプルの前の状態を 00 とみなしています。"
+                "最初のサンプルより前はないので、どの状態で始まっても最初のカウントは 0 です。",
+            ),
+        ),
+        Mistake(
+            begins_as_if_from_00_and_one_edge_back,
+            Text(
+                "The first sample is treated as if the state before it had been 00. There is no sample before the first: its "
+                "count is 0, whatever the state.",
+                "最初のサンプルの前の状態を 00 とみなしています。"
+                "最初のサンプルより前はないので、どの状態で始まっても最初のカウントは 0 です。",
+            ),
+        ),
+        Mistake(
+            begins_as_if_from_00_and_two_edges,
+            Text(
+                "The first sample is treated as if the state before it had been 00. There is no sample before the first: its "
+                "count is 0, whatever the state.",
+                "最初のサンプルの前の状態を 00 とみなしています。"
+                "最初のサンプルより前はないので、どの状態で始まっても最初のカウントは 0 です。",
             ),
         ),
         Mistake(
@@ -516,7 +604,8 @@ EXERCISE = Exercise(
             one_sample_late,
             Text(
                 "The counts come one sample late. Entry k is the count after sample k, with the edge between k-1 and k included.",
-                "カウントが 1 サンプル遅れています。k 番目の値は、k-1 から k までの間のエッジを含めた、サンプル k の後のカウントです。",
+                "カウントが 1 サンプル遅れています。"
+                "k 番目の値は、k-1 から k までの間のエッジを含めた、サンプル k の後のカウントです。",
             ),
         ),
         Mistake(
@@ -545,29 +634,35 @@ EXERCISE = Exercise(
             Text(
                 "The count is cut back to 0..3 by a modulo. Only the difference of two states needs the modulo; the count goes on, "
                 "and below 0 too.",
-                "カウントを剰余で 0〜3 に戻しています。剰余が必要なのは状態の差だけです。カウントは 1 周期を超えても、負になっても続きます。",
+                "カウントを剰余で 0〜3 に戻しています。剰余が必要なのは状態の差だけです。"
+                "カウントは 1 周期を超えても、負になっても続きます。",
             ),
         ),
         Mistake(
             levels_added_up,
             Text(
-                "The levels are added up, so the count runs on while the shaft stands still. What counts are edges, the changes of level.",
+                "The levels are added up, so the count runs on while the shaft stands still. What counts are edges, the changes "
+                "of level.",
                 "信号の値そのものを足しているため、軸が止まっていても数が変わり続けます。数えるのはエッジ、つまり値の変化です。",
             ),
         ),
         Mistake(
             high_samples_counted,
             Text(
-                "The samples at which A is 1 are counted; that depends on how long they last. What counts are edges, the changes of level.",
-                "A が 1 であるサンプルの個数を数えています。これでは信号の長さで数が変わります。数えるのはエッジ、つまり値の変化です。",
+                "The samples at which A is 1 are counted; that depends on how long they last. What counts are edges, the "
+                "changes of level.",
+                "A が 1 であるサンプルの個数を数えています。これでは信号の長さで数が変わります。"
+                "数えるのはエッジ、つまり値の変化です。",
             ),
         ),
         Mistake(
             both_edges_at_once_awaited,
             Text(
-                "The count stays at 0 throughout. In quadrature only one channel changes at a time, so a product or an `and` of both changes "
+                "The count stays at 0 throughout. In quadrature only one channel changes at a time, so a product or an `and` of "
+                "both changes "
                 "never comes true.",
-                "カウントがずっと 0 のままです。一度に変化するのは一方のチャンネルだけなので、両方の変化の積や and は成り立ちません。",
+                "カウントがずっと 0 のままです。"
+                "一度に変化するのは一方のチャンネルだけなので、両方の変化の積や and は成り立ちません。",
             ),
         ),
     ),

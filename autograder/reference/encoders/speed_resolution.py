@@ -241,7 +241,8 @@ EXERCISE = Exercise(
             time_multiplied,
             Text(
                 "The distance of one count is multiplied by dt. The shorter the sample, the more speed one count means: divide.",
-                "1 カウントの距離に dt を掛けています。サンプリング周期が短いほど、1 カウントの表す速度は大きくなります。割りましょう。",
+                "1 カウントの距離に dt を掛けています。サンプリング周期が短いほど、1 カウントの表す速度は大きくなります。"
+                "割りましょう。",
             ),
         ),
         Mistake(
@@ -261,15 +262,18 @@ EXERCISE = Exercise(
         Mistake(
             time_in_milliseconds,
             Text(
-                "The result is 1000 times too large: dt taken for ms, or mm/s instead of m/s. dt is in s, the radius in m, the result in m/s.",
+                "The result is 1000 times too large: dt taken for ms, or mm/s instead of m/s. dt is in s, the radius in m, the "
+                "result in m/s.",
                 "結果が 1000 倍になっています。dt を ms とみなしているか、mm/s になっています。dt は s、半径は m、結果は m/s です。",
             ),
         ),
         Mistake(
             milliseconds_divided_by,
             Text(
-                "The result is 1000 times too small: dt is turned into ms before dividing, or m into km. Seconds and metres give m/s.",
-                "結果が 1/1000 になっています。割る前に dt を ms に、または m を km に直していませんか。s と m のままで m/s になります。",
+                "The result is 1000 times too small: dt is turned into ms before dividing, or m into km. Seconds and metres "
+                "give m/s.",
+                "結果が 1/1000 になっています。割る前に dt を ms に、または m を km に直していませんか。"
+                "s と m のままで m/s になります。",
             ),
         ),
         Mistake(
@@ -289,21 +293,24 @@ EXERCISE = Exercise(
         Mistake(
             standard_deviation,
             Text(
-                "The result is divided by √12: that is the standard deviation of rounding to one count. Asked for is the step itself.",
+                "The result is divided by √12: that is the standard deviation of rounding to one count. Asked for is the step "
+                "itself.",
                 "√12 で割っていて、1 カウントへの丸めの標準偏差になっています。求めるのは 1 段の大きさそのものです。",
             ),
         ),
         Mistake(
             standard_deviation_of_difference,
             Text(
-                "The result is divided by √6: that is the standard deviation of a difference of two rounded readings. Asked for is the step itself.",
+                "The result is divided by √6: that is the standard deviation of a difference of two rounded readings. Asked for "
+                "is the step itself.",
                 "√6 で割っていて、丸めた読み 2 つの差の標準偏差になっています。求めるのは 1 段の大きさそのものです。",
             ),
         ),
         Mistake(
             radius_forgotten,
             Text(
-                "The radius is missing: this is the angle of the wheel per second for one count. Rolling turns an angle into a distance: how?",
+                "The radius is missing: this is the angle of the wheel per second for one count. Rolling turns an angle into a "
+                "distance: how?",
                 "半径が抜けていて、1 カウントあたりのタイヤの角速度になっています。転がると角度はどのように距離になりますか。",
             ),
         ),
@@ -338,15 +345,19 @@ EXERCISE = Exercise(
         Mistake(
             half_of_it,
             Text(
-                "The result is half of what it should be: π r instead of 2π r, as if the radius were the diameter, or the half of V = (v_r + v_l)/2, though this is about one wheel. One turn of the wheel is 2πr: 0.908 m for r = 0.1446 m.",
-                "結果が半分になっています。2πr ではなく πr(半径を直径とみなした値)か、V = (v_r + v_l)/2 の 1/2 を掛けた値です。ここで考えるのは車輪 1 つです。1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
+                "The result is half of what it should be: π r instead of 2π r, as if the radius were the diameter, or the half "
+                "of V = (v_r + v_l)/2, though this is about one wheel. One turn of the wheel is 2πr: 0.908 m for r = 0.1446 m.",
+                "結果が半分になっています。2πr ではなく πr(半径を直径とみなした値)か、V = (v_r + v_l)/2 の 1/2 を掛けた値です。"
+                "ここで考えるのは車輪 1 つです。1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
             ),
         ),
         Mistake(
             twice_of_it,
             Text(
-                "The result is twice what it should be: a diameter used as the radius, or a 2 counted twice. One turn of the wheel is 2πr: 0.908 m for r = 0.1446 m.",
-                "結果が 2 倍になっています。半径の代わりに直径を使ったか、2 を余分に掛けています。1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
+                "The result is twice what it should be: a diameter used as the radius, or a 2 counted twice. One turn of the "
+                "wheel is 2πr: 0.908 m for r = 0.1446 m.",
+                "結果が 2 倍になっています。半径の代わりに直径を使ったか、2 を余分に掛けています。"
+                "1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
             ),
         ),
         Mistake(
@@ -359,8 +370,10 @@ EXERCISE = Exercise(
         Mistake(
             two_pi_divided,
             Text(
-                "2π stands in the denominator. From turns to rad you multiply; look at the brackets too: x / a * b is not x / (a * b).",
-                "2π が分母に入っています。回転数を rad にするには 2π を掛けます。括弧にも注意しましょう。x / a * b と x / (a * b) は違います。",
+                "2π stands in the denominator. From turns to rad you multiply; look at the brackets too: x / a * b is not x / "
+                "(a * b).",
+                "2π が分母に入っています。回転数を rad にするには 2π を掛けます。括弧にも注意しましょう。"
+                "x / a * b と x / (a * b) は違います。",
             ),
         ),
         Mistake(
@@ -394,8 +407,10 @@ EXERCISE = Exercise(
         Mistake(
             gear_multiplied,
             Text(
-                "The gear ratio is multiplied. With a higher gear there are more counts to one turn of the wheel: does one count then mean more or less?",
-                "ギア比を掛けています。ギア比が大きいほど、タイヤ 1 回転のカウントは増えます。1 カウントの意味する量は増えますか、減りますか。",
+                "The gear ratio is multiplied. With a higher gear there are more counts to one turn of the wheel: does one "
+                "count then mean more or less?",
+                "ギア比を掛けています。ギア比が大きいほど、タイヤ 1 回転のカウントは増えます。"
+                "1 カウントの意味する量は増えますか、減りますか。",
             ),
         ),
         Mistake(
@@ -408,8 +423,11 @@ EXERCISE = Exercise(
         Mistake(
             gear_added,
             Text(
-                "gear and counts_per_rev are added. In one turn of the wheel the motor makes gear turns of counts_per_rev counts each: how many counts is that?",
-                "gear と counts_per_rev を足しています。タイヤが 1 回転する間にモータは gear 回転し、1 回転ごとに counts_per_rev カウント数えます。全部で何カウントでしょうか。",
+                "gear and counts_per_rev are added. In one turn of the wheel the motor makes gear turns of counts_per_rev "
+                "counts each: how many counts is that?",
+                "gear と counts_per_rev を足しています。"
+                "タイヤが 1 回転する間にモータは gear 回転し、1 回転ごとに counts_per_rev カウント数えます。"
+                "全部で何カウントでしょうか。",
             ),
         ),
         Mistake(
@@ -430,7 +448,8 @@ EXERCISE = Exercise(
             counts_per_rev_forgotten,
             Text(
                 "counts_per_rev is missing: this is the speed of one turn of the motor per sample. How many counts make one turn?",
-                "counts_per_rev が抜けていて、1 サンプルにモータが 1 回転するときの速度になっています。1 回転は何カウントでしょうか。",
+                "counts_per_rev が抜けていて、1 サンプルにモータが 1 回転するときの速度になっています。"
+                "1 回転は何カウントでしょうか。",
             ),
         ),
         Mistake(
@@ -443,21 +462,27 @@ EXERCISE = Exercise(
         Mistake(
             both_multiplied,
             Text(
-                "gear and counts_per_rev are multiplied instead of divided by: one count would move the robot by kilometres. The more counts to a turn, the less one of them means.",
-                "gear と counts_per_rev で割らずに掛けているため、1 カウントで何 km も進むことになります。1 回転のカウントが多いほど、1 カウントの意味する量は小さくなります。",
+                "gear and counts_per_rev are multiplied instead of divided by: one count would move the robot by kilometres. "
+                "The more counts to a turn, the less one of them means.",
+                "gear と counts_per_rev で割らずに掛けているため、1 カウントで何 km も進むことになります。"
+                "1 回転のカウントが多いほど、1 カウントの意味する量は小さくなります。",
             ),
         ),
         Mistake(
             counts_per_rev_taken_for_pulses,
             Text(
-                "The result is a quarter of what it should be: either counts_per_rev is taken for pulses (it is in counts, 4x decoding included), or a 2 that belongs above the fraction line stands below it.",
-                "結果が 1/4 になっています。counts_per_rev をパルス数とみなしているか(実際は 4 逓倍した後のカウント数です)、分子にあるべき 2 が分母に入っています。",
+                "The result is a quarter of what it should be: either counts_per_rev is taken for pulses (it is in counts, 4x "
+                "decoding included), or a 2 that belongs above the fraction line stands below it.",
+                "結果が 1/4 になっています。"
+                "counts_per_rev をパルス数とみなしているか(実際は 4 逓倍した後のカウント数です)、"
+                "分子にあるべき 2 が分母に入っています。",
             ),
         ),
         Mistake(
             count_taken_for_pulse,
             Text(
-                "The result is four times what it should be: this is for one pulse. One count is a quarter of a pulse, and counts_per_rev is in counts already.",
+                "The result is four times what it should be: this is for one pulse. One count is a quarter of a pulse, and "
+                "counts_per_rev is in counts already.",
                 "結果が 4 倍で、1 パルス分になっています。1 カウントは 1/4 パルスで、counts_per_rev もすでにカウントの数です。",
             ),
         ),
@@ -513,22 +538,28 @@ EXERCISE = Exercise(
         Mistake(
             integer_division,
             Text(
-                "The result is 0: // drops the fraction (so do int and rounding), and one count is far less than a metre. Divide with /.",
-                "結果が 0 になっています。// は(int や丸めも)小数部分を捨てます。1 カウントは 1 m よりずっと小さい量です。/ で割りましょう。",
+                "The result is 0: // drops the fraction (so do int and rounding), and one count is far less than a metre. "
+                "Divide with /.",
+                "結果が 0 になっています。// は(int や丸めも)小数部分を捨てます。1 カウントは 1 m よりずっと小さい量です。"
+                "/ で割りましょう。",
             ),
         ),
         Mistake(
             rounded,
             Text(
-                "The result is rounded to 4 decimals. It is small and is multiplied by thousands of counts later: round only for display.",
-                "結果が小数第 4 位までに丸められています。小さな値で、あとで何千カウントも掛けます。丸めるのは表示のときだけにしましょう。",
+                "The result is rounded to 4 decimals. It is small and is multiplied by thousands of counts later: round only "
+                "for display.",
+                "結果が小数第 4 位までに丸められています。小さな値で、あとで何千カウントも掛けます。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
             rounded_coarsely,
             Text(
-                "The result is rounded to 3 decimals. It is small and is multiplied by thousands of counts later: round only for display.",
-                "結果が小数第 3 位までに丸められています。小さな値で、あとで何千カウントも掛けます。丸めるのは表示のときだけにしましょう。",
+                "The result is rounded to 3 decimals. It is small and is multiplied by thousands of counts later: round only "
+                "for display.",
+                "結果が小数第 3 位までに丸められています。小さな値で、あとで何千カウントも掛けます。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(

@@ -133,6 +133,10 @@ def integer_division_by_gear(counts, gear, counts_per_rev):
     return 2 * np.pi * (np.asarray(counts) // gear) / counts_per_rev
 
 
+def whole_counts_on_the_axle(counts, gear, counts_per_rev):
+    return 2 * np.pi * np.trunc(np.asarray(counts) / gear) / counts_per_rev
+
+
 def integer_division_by_counts_per_rev(counts, gear, counts_per_rev):
     return 2 * np.pi * (np.asarray(counts) // counts_per_rev) / gear
 
@@ -266,7 +270,8 @@ EXERCISE = Exercise(
         Mistake(
             gear_forgotten,
             Text(
-                "The gear ratio is missing: this is the angle of the motor shaft. The encoder sits on the motor, which turns gear times "
+                "The gear ratio is missing: this is the angle of the motor shaft. The encoder sits on the motor, which turns "
+                "gear times "
                 "while the wheel turns once.",
                 "ギア比が抜けていて、モータ軸の角度になっています。エンコーダはモータ側に付いています。"
                 "タイヤが 1 回転する間に、モータは gear 回転します。",
@@ -275,9 +280,11 @@ EXERCISE = Exercise(
         Mistake(
             gear_multiplied,
             Text(
-                "The gear ratio is multiplied, so the wheel turns faster than the motor. gear is the number of motor turns for one turn of "
+                "The gear ratio is multiplied, so the wheel turns faster than the motor. gear is the number of motor turns for "
+                "one turn of "
                 "the wheel: is the wheel's angle larger or smaller than the motor's?",
-                "ギア比を掛けているため、タイヤがモータより速く回ることになっています。gear はタイヤ 1 回転あたりのモータの回転数です。"
+                "ギア比を掛けているため、タイヤがモータより速く回ることになっています。"
+                "gear はタイヤ 1 回転あたりのモータの回転数です。"
                 "タイヤの角度はモータの角度より大きいでしょうか、小さいでしょうか。",
             ),
         ),
@@ -291,9 +298,11 @@ EXERCISE = Exercise(
         Mistake(
             gear_added,
             Text(
-                "gear and counts_per_rev are added. In one turn of the wheel the motor makes gear turns of counts_per_rev counts each: "
+                "gear and counts_per_rev are added. In one turn of the wheel the motor makes gear turns of counts_per_rev "
+                "counts each: "
                 "how many counts is that?",
-                "gear と counts_per_rev を足しています。タイヤが 1 回転する間にモータは gear 回転し、1 回転ごとに counts_per_rev カウント数えます。"
+                "gear と counts_per_rev を足しています。"
+                "タイヤが 1 回転する間にモータは gear 回転し、1 回転ごとに counts_per_rev カウント数えます。"
                 "全部で何カウントでしょうか。",
             ),
         ),
@@ -311,8 +320,10 @@ EXERCISE = Exercise(
         Mistake(
             two_pi_divided,
             Text(
-                "2π stands in the denominator. From turns to rad you multiply; look at the brackets too: x / a * b is not x / (a * b).",
-                "2π が分母に入っています。回転数を rad にするには 2π を掛けます。括弧にも注意しましょう。x / a * b と x / (a * b) は違います。",
+                "2π stands in the denominator. From turns to rad you multiply; look at the brackets too: x / a * b is not x / "
+                "(a * b).",
+                "2π が分母に入っています。回転数を rad にするには 2π を掛けます。括弧にも注意しましょう。"
+                "x / a * b と x / (a * b) は違います。",
             ),
         ),
         Mistake(
@@ -353,7 +364,8 @@ EXERCISE = Exercise(
         Mistake(
             pulses_times_four,
             Text(
-                "The result is a quarter of what it should be: either counts_per_rev is taken for pulses (it is in counts, 4x decoding included), "
+                "The result is a quarter of what it should be: either counts_per_rev is taken for pulses (it is in counts, 4x "
+                "decoding included), "
                 "or a 2 that belongs above the fraction line stands below it.",
                 "結果が 1/4 になっています。counts_per_rev をパルス数とみなしているか(実際は 4 逓倍した後のカウント数です)、"
                 "分子にあるべき 2 が分母に入っています。",
@@ -362,15 +374,18 @@ EXERCISE = Exercise(
         Mistake(
             counts_taken_for_pulses,
             Text(
-                "The result is four times what it should be: pulses and counts are mixed up. counts and counts_per_rev are both counts, "
+                "The result is four times what it should be: pulses and counts are mixed up. counts and counts_per_rev are both "
+                "counts, "
                 "4x decoding included.",
-                "結果が 4 倍になっています。パルスとカウントを混同しています。counts も counts_per_rev も 4 逓倍した後のカウントです。",
+                "結果が 4 倍になっています。パルスとカウントを混同しています。"
+                "counts も counts_per_rev も 4 逓倍した後のカウントです。",
             ),
         ),
         Mistake(
             ratio_inverted,
             Text(
-                "The ratio is upside down: more counts give a smaller angle. Divide the counts by the counts of one turn of the wheel.",
+                "The ratio is upside down: more counts give a smaller angle. Divide the counts by the counts of one turn of the "
+                "wheel.",
                 "比が逆で、カウントが多いほど角度が小さくなっています。カウントを、タイヤ 1 回転分のカウントで割りましょう。",
             ),
         ),
@@ -379,6 +394,13 @@ EXERCISE = Exercise(
             Text(
                 "// drops the fraction: fewer counts than gear become 0. Divide with /.",
                 "// は小数部分を切り捨てるので、gear より少ないカウントは 0 になります。/ で割りましょう。",
+            ),
+        ),
+        Mistake(
+            whole_counts_on_the_axle,
+            Text(
+                "The counts on the wheel axle, dC, are cut to whole numbers. Most of a count gets lost there: leave out int.",
+                "車輪軸上のカウント dC の小数部分が切り捨てられています。ここで多くが失われます。int への変換は不要です。",
             ),
         ),
         Mistake(
@@ -440,22 +462,26 @@ EXERCISE = Exercise(
         Mistake(
             direction_reversed,
             Text(
-                "The angle has the wrong sign. Here positive counts give a positive angle; which way a wheel is mounted is dealt with later.",
+                "The angle has the wrong sign. Here positive counts give a positive angle; which way a wheel is mounted is "
+                "dealt with later.",
                 "角度の符号が逆です。ここでは正のカウントは正の角度になります。モータの取り付けの向きは、あとの課題で扱います。",
             ),
         ),
         Mistake(
             wrapped_to_one_turn,
             Text(
-                "The angle is wrapped to 0..2π. It is how far the wheel has turned: beyond one turn it goes on, backwards it is negative. No modulo.",
-                "角度が 0〜2π に折り返されています。これはタイヤが回った量なので、1 回転を超えても続き、逆転なら負です。剰余はとりません。",
+                "The angle is wrapped to 0..2π. It is how far the wheel has turned: beyond one turn it goes on, backwards it is "
+                "negative. No modulo.",
+                "角度が 0〜2π に折り返されています。これはタイヤが回った量なので、1 回転を超えても続き、逆転なら負です。"
+                "剰余はとりません。",
             ),
         ),
         Mistake(
             wrapped_to_half_a_turn,
             Text(
                 "The angle is wrapped to -π..π. It is how far the wheel has turned, and beyond half a turn it goes on. No modulo.",
-                "角度が -π〜π に折り返されています。これはタイヤが回った量なので、半回転を超えてもそのまま続きます。剰余はとりません。",
+                "角度が -π〜π に折り返されています。これはタイヤが回った量なので、半回転を超えてもそのまま続きます。"
+                "剰余はとりません。",
             ),
         ),
         Mistake(
@@ -468,7 +494,8 @@ EXERCISE = Exercise(
         Mistake(
             whole_turns_of_motor_dropped,
             Text(
-                "Whole turns of the motor shaft are dropped: counts goes through a modulo. Every count turns the wheel a little further.",
+                "Whole turns of the motor shaft are dropped: counts goes through a modulo. Every count turns the wheel a little "
+                "further.",
                 "counts の剰余をとっているため、モータ軸の整数回転分が捨てられています。1 カウントごとにタイヤは少しずつ回ります。",
             ),
         ),
@@ -519,20 +546,24 @@ EXERCISE = Exercise(
             Text(
                 "For a single number an array comes back. A number in, a number out: np.asarray leaves a number without a shape, "
                 "np.atleast_1d and [counts] do not.",
-                "数値を渡しても配列が返っています。数値には数値を返しましょう。np.atleast_1d や [counts] ではなく np.asarray を使えば、数値は数値のままです。",
+                "数値を渡しても配列が返っています。数値には数値を返しましょう。"
+                "np.atleast_1d や [counts] ではなく np.asarray を使えば、数値は数値のままです。",
             ),
         ),
         Mistake(
             single_entry_becomes_number,
             Text(
-                "An array with one entry comes back as a bare number. An array in, an array out, whatever its length: leave out squeeze and the like.",
-                "要素 1 つの配列を渡すと、ただの数値が返っています。長さに関係なく、配列には配列を返しましょう。squeeze などは不要です。",
+                "An array with one entry comes back as a bare number. An array in, an array out, whatever its length: leave out "
+                "squeeze and the like.",
+                "要素 1 つの配列を渡すと、ただの数値が返っています。長さに関係なく、配列には配列を返しましょう。"
+                "squeeze などは不要です。",
             ),
         ),
         Mistake(
             decimals_cut_off,
             Text(
-                "With whole numbers the decimals are cut off: an array made with zeros_like or empty_like from integers holds integers only. "
+                "With whole numbers the decimals are cut off: an array made with zeros_like or empty_like from integers holds "
+                "integers only. "
                 "Make it with dtype=float.",
                 "整数が渡されると小数部分が切り捨てられます。整数から zeros_like や empty_like で作った配列には整数しか入りません。"
                 "dtype=float を指定しましょう。",
@@ -548,15 +579,19 @@ EXERCISE = Exercise(
         Mistake(
             rounded,
             Text(
-                "The angle is rounded to 3 decimals. Thousands of increments are added up later, and so are their rounding errors: round only for display.",
-                "角度が小数第 3 位までに丸められています。あとで何千個も足すと丸め誤差も積み重なります。丸めるのは表示のときだけにしましょう。",
+                "The angle is rounded to 3 decimals. Thousands of increments are added up later, and so are their rounding "
+                "errors: round only for display.",
+                "角度が小数第 3 位までに丸められています。あとで何千個も足すと丸め誤差も積み重なります。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
             rounded_coarsely,
             Text(
-                "The angle is rounded to 2 decimals. Thousands of increments are added up later, and so are their rounding errors: round only for display.",
-                "角度が小数第 2 位までに丸められています。あとで何千個も足すと丸め誤差も積み重なります。丸めるのは表示のときだけにしましょう。",
+                "The angle is rounded to 2 decimals. Thousands of increments are added up later, and so are their rounding "
+                "errors: round only for display.",
+                "角度が小数第 2 位までに丸められています。あとで何千個も足すと丸め誤差も積み重なります。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
@@ -576,7 +611,8 @@ EXERCISE = Exercise(
         Mistake(
             counts_returned,
             Text(
-                "These are counts referred to the wheel axle, dC in the slides. The next line of overview 6 turns them into an angle.",
+                "These are counts referred to the wheel axle, dC in the slides. The next line of overview 6 turns them into an "
+                "angle.",
                 "これは車輪軸上のカウント(スライドの dC)です。概要 #6 の次の行で角度に変換します。",
             ),
         ),

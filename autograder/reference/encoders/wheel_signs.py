@@ -53,11 +53,11 @@ def drive(rng, robot, turn, rests, right_ahead):
     whether the log begins and ends at rest.
     """
     straight, turning, *resting = rng.integers([30, 30, 8, 8], [42, 42, 15, 15])
-    if turn == "spot":  # so long that the left wheel ends up behind its start
-        turning = straight * 8 // 5
-    speed = rng.uniform(18, 45)
+    speed, faster = rng.uniform(18, 40), 1.0
+    if turn == "spot":  # so long and fast that the left wheel is behind its start soon after the straight part
+        straight, turning, faster = straight - 5, (straight - 5) * 13 // 5, rng.uniform(1.6, 1.9)
     share = {"gentle": rng.uniform(0.3, 0.6), "pivot": 0.0, "spot": -1.0}[turn]
-    in_turn = alike(rng, speed, turning, right_ahead)[:, ::-1]
+    in_turn = alike(rng, speed * faster, turning, right_ahead)[:, ::-1]
     in_turn = np.rint(in_turn * [[1.0], [share]])
     before, after = (np.zeros((2, rows if rest else 0)) for rows, rest in zip(resting, rests, strict=True))
     wheels = np.concatenate([before, alike(rng, speed, straight, right_ahead), in_turn, after], axis=1)
@@ -397,15 +397,19 @@ EXERCISE = Exercise(
         Mistake(
             straight_part_decides,
             Text(
-                "Right and left are told apart on the straight part, where both wheels run alike: a count or two decides. Only the turn shows which is the outer one.",
-                "直進の部分で左右を判断しています。直進では両輪が同じように走るため、わずかな揺らぎで決まってしまいます。どちらが外側かは旋回の部分で分かります。",
+                "Right and left are told apart on the straight part, where both wheels run alike: a count or two decides. Only "
+                "the turn shows which is the outer one.",
+                "直進の部分で左右を判断しています。直進では両輪が同じように走るため、わずかな揺らぎで決まってしまいます。"
+                "どちらが外側かは旋回の部分で分かります。",
             ),
         ),
         Mistake(
             signs_in_order_of_counters,
             Text(
-                "The signs come back in the order counter 1, counter 2. Asked for are (sign_right, sign_left, right_counter): the right wheel's sign first, even if it is counter 2.",
-                "符号がカウンタ 1、カウンタ 2 の順に返っています。求めるのは (sign_right, sign_left, right_counter) です。右車輪がカウンタ 2 のときも、右の符号が先です。",
+                "The signs come back in the order counter 1, counter 2. Asked for are (sign_right, sign_left, right_counter): "
+                "the right wheel's sign first, even if it is counter 2.",
+                "符号がカウンタ 1、カウンタ 2 の順に返っています。求めるのは (sign_right, sign_left, right_counter) です。"
+                "右車輪がカウンタ 2 のときも、右の符号が先です。",
             ),
         ),
         Mistake(
@@ -439,113 +443,140 @@ EXERCISE = Exercise(
         Mistake(
             no_mirror_assumed,
             Text(
-                "The answer is always (1, 1, 1), whatever the log says. Read it from the counters: the motors are usually mounted as mirror images.",
-                "ログに関係なく、いつも (1, 1, 1) を返しています。モータはふつう鏡向きに付いています。カウンタの値から判断しましょう。",
+                "The answer is always (1, 1, 1), whatever the log says. Read it from the counters: the motors are usually "
+                "mounted as mirror images.",
+                "ログに関係なく、いつも (1, 1, 1) を返しています。モータはふつう鏡向きに付いています。"
+                "カウンタの値から判断しましょう。",
             ),
         ),
         Mistake(
             signs_always_plus,
             Text(
-                "The right wheel is found, but both signs are always +1. Look whether each counter counts up or down on the straight part.",
+                "The right wheel is found, but both signs are always +1. Look whether each counter counts up or down on the "
+                "straight part.",
                 "右車輪は見つかっていますが、符号がいつも両方 +1 です。直進中に、それぞれのカウンタが増えるか減るかを調べましょう。",
             ),
         ),
         Mistake(
             signs_always_opposite,
             Text(
-                "The two signs are always opposite to each other: one is found, the other assumed. Some robots have equal signs: look at each counter by itself.",
-                "2 つの符号がいつも反対になっています。一方だけを調べ、もう一方は決めつけています。同じ符号のロボットもあるので、カウンタごとに調べましょう。",
+                "The two signs are always opposite to each other: one is found, the other assumed. Some robots have equal "
+                "signs: look at each counter by itself.",
+                "2 つの符号がいつも反対になっています。一方だけを調べ、もう一方は決めつけています。"
+                "同じ符号のロボットもあるので、カウンタごとに調べましょう。",
             ),
         ),
         Mistake(
             signs_of_counter_1_for_both,
             Text(
-                "Both wheels always get the same sign. The motors are mounted as mirror images on many robots: look at each counter by itself.",
+                "Both wheels always get the same sign. The motors are mounted as mirror images on many robots: look at each "
+                "counter by itself.",
                 "両輪がいつも同じ符号になっています。多くのロボットではモータが鏡向きに付いています。カウンタごとに調べましょう。",
             ),
         ),
         Mistake(
             raw_counts_compared,
             Text(
-                "The wheels are compared without their signs: a counter that counts down looks slow although its wheel is fast. Multiply by the signs first.",
+                "The wheels are compared without their signs: a counter that counts down looks slow although its wheel is fast. "
+                "Multiply by the signs first.",
                 "符号を掛けずに左右を比べています。減る向きに数えるカウンタは、車輪が速くても遅く見えます。先に符号を掛けましょう。",
             ),
         ),
         Mistake(
             raw_counts_of_the_turn_compared,
             Text(
-                "In the turn the wheels are compared without their signs: a counter that counts down looks slow although its wheel is fast. Multiply by the signs first.",
-                "旋回の部分で、符号を掛けずに左右を比べています。減る向きに数えるカウンタは、車輪が速くても遅く見えます。先に符号を掛けましょう。",
+                "In the turn the wheels are compared without their signs: a counter that counts down looks slow although its "
+                "wheel is fast. Multiply by the signs first.",
+                "旋回の部分で、符号を掛けずに左右を比べています。減る向きに数えるカウンタは、車輪が速くても遅く見えます。"
+                "先に符号を掛けましょう。",
             ),
         ),
         Mistake(
             signs_of_the_whole_log,
             Text(
-                "The signs come from the sums over the whole log. In a long turn on the spot the left wheel runs further back than it ran forward: use the straight part alone.",
-                "ログ全体の合計で符号を決めています。長いその場旋回では、左車輪は前進した分より多く後ろへ回ります。直進の部分だけを使いましょう。",
+                "The signs come from the sums over the whole log. In a long turn on the spot the left wheel runs further back "
+                "than it ran forward: use the straight part alone.",
+                "ログ全体の合計で符号を決めています。長いその場旋回では、左車輪は前進した分より多く後ろへ回ります。"
+                "直進の部分だけを使いましょう。",
             ),
         ),
         Mistake(
             signs_of_the_whole_log_products,
             Text(
-                "The signs come from the sums over the whole log, and so a long turn on the spot spoils them. Use the straight part alone for the signs.",
+                "The signs come from the sums over the whole log, and so a long turn on the spot spoils them. Use the straight "
+                "part alone for the signs.",
                 "ログ全体の合計で符号を決めているため、その場旋回が長いと誤ります。符号は直進の部分だけで決めましょう。",
             ),
         ),
         Mistake(
             signs_of_the_turn,
             Text(
-                "The signs come from the end of the drive, the turn. There the left wheel may stand still or run backwards: use the straight part at the beginning.",
-                "走行の終わり、つまり旋回の部分で符号を決めています。旋回では左車輪が止まったり逆転したりします。最初の直進の部分を使いましょう。",
+                "The signs come from the end of the drive, the turn. There the left wheel may stand still or run backwards: use "
+                "the straight part at the beginning.",
+                "走行の終わり、つまり旋回の部分で符号を決めています。旋回では左車輪が止まったり逆転したりします。"
+                "最初の直進の部分を使いましょう。",
             ),
         ),
         Mistake(
             sign_of_the_first_row,
             Text(
-                "The signs come from the first row. If the log begins at rest there is no count, and the sign becomes 0: look for the first rows in motion.",
-                "最初の行で符号を決めています。静止から始まるログではカウントが 0 なので、符号も 0 になります。動き始めてからの行を使いましょう。",
+                "The signs come from the first row. If the log begins at rest there is no count, and the sign becomes 0: look "
+                "for the first rows in motion.",
+                "最初の行で符号を決めています。静止から始まるログではカウントが 0 なので、符号も 0 になります。"
+                "動き始めてからの行を使いましょう。",
             ),
         ),
         Mistake(
             first_row_without_zero,
             Text(
-                "The signs come from the first row. If the log begins at rest there is no count, and 0 is taken for a negative one: look for the first rows in motion.",
-                "最初の行で符号を決めています。静止から始まるログではカウントが 0 で、それを負とみなしています。動き始めてからの行を使いましょう。",
+                "The signs come from the first row. If the log begins at rest there is no count, and 0 is taken for a negative "
+                "one: look for the first rows in motion.",
+                "最初の行で符号を決めています。静止から始まるログではカウントが 0 で、それを負とみなしています。"
+                "動き始めてからの行を使いましょう。",
             ),
         ),
         Mistake(
             first_row_zero_taken_for_plus,
             Text(
-                "The signs come from the first row. If the log begins at rest there is no count, and 0 is taken for a positive one: look for the first rows in motion.",
-                "最初の行で符号を決めています。静止から始まるログではカウントが 0 で、それを正とみなしています。動き始めてからの行を使いましょう。",
+                "The signs come from the first row. If the log begins at rest there is no count, and 0 is taken for a positive "
+                "one: look for the first rows in motion.",
+                "最初の行で符号を決めています。静止から始まるログではカウントが 0 で、それを正とみなしています。"
+                "動き始めてからの行を使いましょう。",
             ),
         ),
         Mistake(
             sign_of_the_last_row,
             Text(
-                "The signs come from the last row, in the turn or at rest. There the left wheel may run backwards or stand still: use the straight part.",
-                "最後の行で符号を決めています。そこは旋回中か静止中で、左車輪は逆転していたり止まっていたりします。直進の部分を使いましょう。",
+                "The signs come from the last row, in the turn or at rest. There the left wheel may run backwards or stand "
+                "still: use the straight part.",
+                "最後の行で符号を決めています。そこは旋回中か静止中で、左車輪は逆転していたり止まっていたりします。"
+                "直進の部分を使いましょう。",
             ),
         ),
         Mistake(
             last_row_decides,
             Text(
-                "Right and left are told apart by the last row alone. If the log ends at rest, nothing is counted there: compare the whole turn.",
+                "Right and left are told apart by the last row alone. If the log ends at rest, nothing is counted there: "
+                "compare the whole turn.",
                 "最後の行だけで左右を判断しています。静止で終わるログではカウントがありません。旋回の部分全体を比べましょう。",
             ),
         ),
         Mistake(
             way_without_direction_compared,
             Text(
-                "The wheels are compared by how much they turned, whichever way. On the spot both turn alike, one forward and one back: compare with the signs.",
-                "回った向きを無視した量で左右を比べています。その場旋回では両輪が同じだけ回り、一方は前転、もう一方は逆転です。符号を付けて比べましょう。",
+                "The wheels are compared by how much they turned, whichever way. On the spot both turn alike, one forward and "
+                "one back: compare with the signs.",
+                "回った向きを無視した量で左右を比べています。その場旋回では両輪が同じだけ回り、一方は前転、もう一方は逆転です。"
+                "符号を付けて比べましょう。",
             ),
         ),
         Mistake(
             mean_of_the_signs,
             Text(
-                "The signs are means over the log and are not +1 or -1 when a wheel stands still or turns back. Take the sign of a sum over the straight part.",
-                "符号がログ全体の平均になっているため、車輪が止まったり逆転したりすると +1 や -1 になりません。直進の部分の合計の符号をとりましょう。",
+                "The signs are means over the log and are not +1 or -1 when a wheel stands still or turns back. Take the sign "
+                "of a sum over the straight part.",
+                "符号がログ全体の平均になっているため、車輪が止まったり逆転したりすると +1 や -1 になりません。"
+                "直進の部分の合計の符号をとりましょう。",
             ),
         ),
         Mistake(
@@ -586,7 +617,8 @@ EXERCISE = Exercise(
         Mistake(
             signs_nested,
             Text(
-                "The signs come back as a pair within the tuple. Asked for are three values side by side: (sign_right, sign_left, right_counter).",
+                "The signs come back as a pair within the tuple. Asked for are three values side by side: (sign_right, "
+                "sign_left, right_counter).",
                 "符号が組になって入れ子で返っています。(sign_right, sign_left, right_counter) の 3 つを並べて返しましょう。",
             ),
         ),
@@ -607,7 +639,8 @@ EXERCISE = Exercise(
         Mistake(
             left_counter_too,
             Text(
-                "Four values come back. Asked for are three: (sign_right, sign_left, right_counter); the left counter is the other one.",
+                "Four values come back. Asked for are three: (sign_right, sign_left, right_counter); the left counter is the "
+                "other one.",
                 "4 つの値が返っています。求めるのは (sign_right, sign_left, right_counter) の 3 つです。左のカウンタは残りの方です。",
             ),
         ),
@@ -621,28 +654,33 @@ EXERCISE = Exercise(
         Mistake(
             running_counters_assumed,
             Text(
-                "Neighbouring counts are subtracted. The counters of this log are increments already: their signs tell the direction by themselves.",
+                "Neighbouring counts are subtracted. The counters of this log are increments already: their signs tell the "
+                "direction by themselves.",
                 "隣どうしのカウントの差をとっています。このログのカウンタはすでに増分で、その符号がそのまま回転の向きを表します。",
             ),
         ),
         Mistake(
             faster_wheel_taken_for_left,
             Text(
-                "Right and left come out exchanged: the wheel that runs further is called left. In a left turn, which wheel runs on the outer circle?",
+                "Right and left come out exchanged: the wheel that runs further is called left. In a left turn, which wheel "
+                "runs on the outer circle?",
                 "左右が逆になっています。長く走った車輪が左とされています。左旋回で外側の円を走るのはどちらの車輪でしょうか。",
             ),
         ),
         Mistake(
             signs_of_a_reversing_robot,
             Text(
-                "Both signs are turned round: multiplied by them, the counts of the straight drive are negative. Driving forward, both wheels must come out positive.",
-                "符号が両方とも逆です。この符号を掛けると、直進中のカウントが負になります。前進では両輪とも正になるように決めましょう。",
+                "Both signs are turned round: multiplied by them, the counts of the straight drive are negative. Driving "
+                "forward, both wheels must come out positive.",
+                "符号が両方とも逆です。この符号を掛けると、直進中のカウントが負になります。"
+                "前進では両輪とも正になるように決めましょう。",
             ),
         ),
         Mistake(
             faster_wheel_taken_for_left_and_signs_reversed,
             Text(
-                "Both signs are turned round, and right and left are exchanged. Begin with the signs: driving forward, both wheels must come out positive.",
+                "Both signs are turned round, and right and left are exchanged. Begin with the signs: driving forward, both "
+                "wheels must come out positive.",
                 "符号が両方とも逆で、左右も入れ替わっています。まず符号から直しましょう。前進では両輪とも正になるように決めます。",
             ),
         ),

@@ -106,6 +106,14 @@ def period_of_5_ms(counts, dt, radius, gear, counts_per_rev):
     return 2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / 0.005
 
 
+def period_of_10_ms(counts, dt, radius, gear, counts_per_rev):
+    return 2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / 0.01
+
+
+def period_of_20_ms(counts, dt, radius, gear, counts_per_rev):
+    return 2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / 0.02
+
+
 def mean_time_step(counts, dt, radius, gear, counts_per_rev):
     return 2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / np.mean(dt)
 
@@ -114,8 +122,17 @@ def median_time_step(counts, dt, radius, gear, counts_per_rev):
     return 2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / np.median(dt)
 
 
+def smallest_time_step(counts, dt, radius, gear, counts_per_rev):
+    return 2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / np.min(dt)
+
+
 def first_time_step(counts, dt, radius, gear, counts_per_rev):
     return 2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / np.ravel(dt)[0]
+
+
+def neighbouring_time_step(counts, dt, radius, gear, counts_per_rev):
+    steps = np.roll(dt, 1) if np.ndim(dt) else dt
+    return 2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / steps
 
 
 def last_time_step(counts, dt, radius, gear, counts_per_rev):
@@ -294,12 +311,20 @@ def direction_lost(counts, dt, radius, gear, counts_per_rev):
     return np.abs(2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / np.asarray(dt))
 
 
+def backward_set_to_zero(counts, dt, radius, gear, counts_per_rev):
+    return np.maximum(2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / np.asarray(dt), 0)
+
+
 def direction_reversed(counts, dt, radius, gear, counts_per_rev):
     return -2 * np.pi * radius * np.asarray(counts) / (gear * counts_per_rev) / np.asarray(dt)
 
 
 def integer_division_by_gear(counts, dt, radius, gear, counts_per_rev):
     return 2 * np.pi * radius * (np.asarray(counts) // gear) / counts_per_rev / np.asarray(dt)
+
+
+def whole_counts_on_the_axle(counts, dt, radius, gear, counts_per_rev):
+    return 2 * np.pi * radius * np.trunc(np.asarray(counts) / gear) / counts_per_rev / np.asarray(dt)
 
 
 def integer_division_by_both(counts, dt, radius, gear, counts_per_rev):
@@ -375,21 +400,51 @@ EXERCISE = Exercise(
             period_of_5_ms,
             Text(
                 "The time step is always 0.005 s. Real logs jitter and lose rows: use the argument dt.",
-                "時間間隔がいつも 0.005 s になっています。実際のログでは間隔が揺れ、行が抜けることもあります。引数 dt を使いましょう。",
+                "時間間隔がいつも 0.005 s になっています。実際のログでは間隔が揺れ、行が抜けることもあります。"
+                "引数 dt を使いましょう。",
+            ),
+        ),
+        Mistake(
+            period_of_10_ms,
+            Text(
+                "The time step is always 0.01 s. Real logs jitter and lose rows: use the argument dt.",
+                "時間間隔がいつも 0.01 s になっています。実際のログでは間隔が揺れ、行が抜けることもあります。"
+                "引数 dt を使いましょう。",
+            ),
+        ),
+        Mistake(
+            period_of_20_ms,
+            Text(
+                "The time step is always 0.02 s. Real logs jitter and lose rows: use the argument dt.",
+                "時間間隔がいつも 0.02 s になっています。実際のログでは間隔が揺れ、行が抜けることもあります。"
+                "引数 dt を使いましょう。",
             ),
         ),
         Mistake(
             mean_time_step,
             Text(
-                "All counts are divided by the mean of dt. Each increment has its own time step: where dt is long, more counts fit in.",
-                "すべてのカウントを dt の平均で割っています。増分にはそれぞれの時間間隔があります。dt が長ければカウントも多くなります。",
+                "All counts are divided by the mean of dt. Each increment has its own time step: where dt is long, more counts "
+                "fit in.",
+                "すべてのカウントを dt の平均で割っています。増分にはそれぞれの時間間隔があります。"
+                "dt が長ければカウントも多くなります。",
             ),
         ),
         Mistake(
             median_time_step,
             Text(
-                "All counts are divided by the median of dt. Each increment has its own time step: where dt is long, more counts fit in.",
-                "すべてのカウントを dt の中央値で割っています。増分にはそれぞれの時間間隔があります。dt が長ければカウントも多くなります。",
+                "All counts are divided by the median of dt. Each increment has its own time step: where dt is long, more "
+                "counts fit in.",
+                "すべてのカウントを dt の中央値で割っています。増分にはそれぞれの時間間隔があります。"
+                "dt が長ければカウントも多くなります。",
+            ),
+        ),
+        Mistake(
+            smallest_time_step,
+            Text(
+                "All counts are divided by the smallest dt. Each increment has its own time step: where dt is long, more counts "
+                "fit in.",
+                "すべてのカウントを dt の最小値で割っています。増分にはそれぞれの時間間隔があります。"
+                "dt が長ければカウントも多くなります。",
             ),
         ),
         Mistake(
@@ -397,6 +452,13 @@ EXERCISE = Exercise(
             Text(
                 "All counts are divided by the first time step. Each increment has its own: divide entry by entry.",
                 "すべてのカウントを最初の時間間隔で割っています。増分にはそれぞれの時間間隔があるので、要素ごとに割りましょう。",
+            ),
+        ),
+        Mistake(
+            neighbouring_time_step,
+            Text(
+                "Each increment is divided by the time step of the row before. Counts and time steps of one row belong together.",
+                "増分を 1 つ前の行の時間間隔で割っています。同じ行のカウントと時間間隔を組み合わせましょう。",
             ),
         ),
         Mistake(
@@ -430,7 +492,8 @@ EXERCISE = Exercise(
         Mistake(
             speed_in_millimetres,
             Text(
-                "The speed is 1000 times too small: a step in ms, or km instead of m? dt is in s, the radius in m, and the speed in m/s.",
+                "The speed is 1000 times too small: a step in ms, or km instead of m? dt is in s, the radius in m, and the "
+                "speed in m/s.",
                 "速度が 1/1000 になっています。時間を ms、または距離を km にしていませんか。dt は s、半径は m、速度は m/s です。",
             ),
         ),
@@ -441,7 +504,8 @@ EXERCISE = Exercise(
         Mistake(
             radius_forgotten,
             Text(
-                "The radius is missing: this is the angular velocity of the wheel in rad/s. The speed of its rim is the next line of overview 6.",
+                "The radius is missing: this is the angular velocity of the wheel in rad/s. The speed of its rim is the next "
+                "line of overview 6.",
                 "半径が抜けていて、タイヤの角速度 [rad/s] になっています。概要 #6 の次の行で、周の速度に変換します。",
             ),
         ),
@@ -469,17 +533,21 @@ EXERCISE = Exercise(
         Mistake(
             diameter_for_radius,
             Text(
-                "The speed is twice what it should be, as if the radius were a diameter somewhere or a 2 counted twice. One turn of the wheel "
+                "The speed is twice what it should be, as if the radius were a diameter somewhere or a 2 counted twice. One "
+                "turn of the wheel "
                 "is 2πr: 0.908 m for r = 0.1446 m.",
-                "速度が 2 倍になっています。半径の代わりに直径を使ったか、2 を余分に掛けています。1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
+                "速度が 2 倍になっています。半径の代わりに直径を使ったか、2 を余分に掛けています。"
+                "1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
             ),
         ),
         Mistake(
             radius_as_diameter,
             Text(
-                "The speed is half of what it should be: π r instead of 2π r, as if the radius were the diameter. One turn of the wheel is 2πr: "
+                "The speed is half of what it should be: π r instead of 2π r, as if the radius were the diameter. One turn of "
+                "the wheel is 2πr: "
                 "0.908 m for r = 0.1446 m.",
-                "速度が半分になっています。2πr ではなく πr、つまり半径を直径とみなした値です。1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
+                "速度が半分になっています。2πr ではなく πr、つまり半径を直径とみなした値です。"
+                "1 回転は 2πr で、r = 0.1446 m なら 0.908 m です。",
             ),
         ),
         Mistake(
@@ -492,8 +560,10 @@ EXERCISE = Exercise(
         Mistake(
             two_pi_divided,
             Text(
-                "2π stands in the denominator. From turns to rad you multiply; look at the brackets too: x / a * b is not x / (a * b).",
-                "2π が分母に入っています。回転数を rad にするには 2π を掛けます。括弧にも注意しましょう。x / a * b と x / (a * b) は違います。",
+                "2π stands in the denominator. From turns to rad you multiply; look at the brackets too: x / a * b is not x / "
+                "(a * b).",
+                "2π が分母に入っています。回転数を rad にするには 2π を掛けます。括弧にも注意しましょう。"
+                "x / a * b と x / (a * b) は違います。",
             ),
         ),
         Mistake(
@@ -513,15 +583,19 @@ EXERCISE = Exercise(
         Mistake(
             gear_forgotten,
             Text(
-                "The gear ratio is missing: this is the speed of a wheel that sits on the motor shaft. The motor turns gear times while the wheel turns once.",
-                "ギア比が抜けていて、モータ軸にタイヤを直接付けたときの速度になっています。タイヤが 1 回転する間に、モータは gear 回転します。",
+                "The gear ratio is missing: this is the speed of a wheel that sits on the motor shaft. The motor turns gear "
+                "times while the wheel turns once.",
+                "ギア比が抜けていて、モータ軸にタイヤを直接付けたときの速度になっています。"
+                "タイヤが 1 回転する間に、モータは gear 回転します。",
             ),
         ),
         Mistake(
             gear_multiplied,
             Text(
-                "The gear ratio is multiplied, so the wheel turns faster than the motor. gear is the number of motor turns for one turn of the wheel.",
-                "ギア比を掛けているため、タイヤがモータより速く回ることになっています。gear はタイヤ 1 回転あたりのモータの回転数です。",
+                "The gear ratio is multiplied, so the wheel turns faster than the motor. gear is the number of motor turns for "
+                "one turn of the wheel.",
+                "ギア比を掛けているため、タイヤがモータより速く回ることになっています。"
+                "gear はタイヤ 1 回転あたりのモータの回転数です。",
             ),
         ),
         Mistake(
@@ -534,9 +608,11 @@ EXERCISE = Exercise(
         Mistake(
             gear_added,
             Text(
-                "gear and counts_per_rev are added. In one turn of the wheel the motor makes gear turns of counts_per_rev counts each: "
+                "gear and counts_per_rev are added. In one turn of the wheel the motor makes gear turns of counts_per_rev "
+                "counts each: "
                 "how many counts is that?",
-                "gear と counts_per_rev を足しています。タイヤが 1 回転する間にモータは gear 回転し、1 回転ごとに counts_per_rev カウント数えます。"
+                "gear と counts_per_rev を足しています。"
+                "タイヤが 1 回転する間にモータは gear 回転し、1 回転ごとに counts_per_rev カウント数えます。"
                 "全部で何カウントでしょうか。",
             ),
         ),
@@ -571,15 +647,18 @@ EXERCISE = Exercise(
         Mistake(
             counts_taken_for_pulses,
             Text(
-                "The speed is four times what it should be: pulses and counts are mixed up. counts and counts_per_rev are both counts, "
+                "The speed is four times what it should be: pulses and counts are mixed up. counts and counts_per_rev are both "
+                "counts, "
                 "4x decoding included.",
-                "速度が 4 倍になっています。パルスとカウントを混同しています。counts も counts_per_rev も 4 逓倍した後のカウントです。",
+                "速度が 4 倍になっています。パルスとカウントを混同しています。"
+                "counts も counts_per_rev も 4 逓倍した後のカウントです。",
             ),
         ),
         Mistake(
             counts_per_rev_taken_for_pulses,
             Text(
-                "The speed is a quarter of what it should be: either counts_per_rev is taken for pulses (it is in counts, 4x decoding included), "
+                "The speed is a quarter of what it should be: either counts_per_rev is taken for pulses (it is in counts, 4x "
+                "decoding included), "
                 "or a 2 that belongs above the fraction line stands below it.",
                 "速度が 1/4 になっています。counts_per_rev をパルス数とみなしているか(実際は 4 逓倍した後のカウント数です)、"
                 "分子にあるべき 2 が分母に入っています。",
@@ -609,8 +688,10 @@ EXERCISE = Exercise(
         Mistake(
             counts_per_second,
             Text(
-                "These are counts per second. Counts become an angle of the motor, of the wheel, then a distance of its rim: overview 6, line by line.",
-                "これは 1 秒あたりのカウント数です。カウント → モータの角度 → タイヤの角度 → 周の距離と、概要 #6 の順に変換しましょう。",
+                "These are counts per second. Counts become an angle of the motor, of the wheel, then a distance of its rim: "
+                "overview 6, line by line.",
+                "これは 1 秒あたりのカウント数です。"
+                "カウント → モータの角度 → タイヤの角度 → 周の距離と、概要 #6 の順に変換しましょう。",
             ),
         ),
         Mistake(
@@ -630,40 +711,49 @@ EXERCISE = Exercise(
         Mistake(
             increments_differenced,
             Text(
-                "From each count the one before is subtracted, and the result looks like an acceleration. This log stores increments already: "
+                "From each count the one before is subtracted, and the result looks like an acceleration. This log stores "
+                "increments already: "
                 "no np.diff. (Eq. (4) of the notes subtracts because it starts from a running counter.)",
-                "各カウントから 1 つ前のカウントを引いていて、加速度のような値になっています。このログのカウントはすでに増分なので、np.diff は不要です。"
+                "各カウントから 1 つ前のカウントを引いていて、加速度のような値になっています。"
+                "このログのカウントはすでに増分なので、np.diff は不要です。"
                 "(ノートの式 (4) で引き算をするのは、累積カウントから始めているためです。)",
             ),
         ),
         Mistake(
             increments_differenced_number_too,
             Text(
-                "From each count the one before is subtracted, and the result looks like an acceleration. This log stores increments already: "
+                "From each count the one before is subtracted, and the result looks like an acceleration. This log stores "
+                "increments already: "
                 "no np.diff. (A single number comes back as an array, too.)",
-                "各カウントから 1 つ前のカウントを引いていて、加速度のような値になっています。このログのカウントはすでに増分なので、np.diff は不要です。"
+                "各カウントから 1 つ前のカウントを引いていて、加速度のような値になっています。"
+                "このログのカウントはすでに増分なので、np.diff は不要です。"
                 "(数値を渡したときに配列が返る点も直しましょう。)",
             ),
         ),
         Mistake(
             increments_differenced_from_the_first,
             Text(
-                "From each count the one before is subtracted, and the first speed is 0. This log stores increments already: no np.diff.",
-                "各カウントから 1 つ前のカウントを引いていて、最初の速度は 0 になっています。このログのカウントはすでに増分なので、np.diff は不要です。",
+                "From each count the one before is subtracted, and the first speed is 0. This log stores increments already: no "
+                "np.diff.",
+                "各カウントから 1 つ前のカウントを引いていて、最初の速度は 0 になっています。"
+                "このログのカウントはすでに増分なので、np.diff は不要です。",
             ),
         ),
         Mistake(
             increments_differenced_and_shorter,
             Text(
                 "Neighbouring counts are subtracted, and one entry is lost. This log stores increments already: no np.diff.",
-                "隣どうしのカウントの差をとっているため、要素が 1 つ減っています。このログのカウントはすでに増分なので、np.diff は不要です。",
+                "隣どうしのカウントの差をとっているため、要素が 1 つ減っています。"
+                "このログのカウントはすでに増分なので、np.diff は不要です。",
             ),
         ),
         Mistake(
             increments_added_up,
             Text(
-                "The counts are added up before dividing, so the speed grows and grows. Each increment over its own step is the speed there: no cumsum.",
-                "カウントを累積してから割っているため、速度が増え続けます。増分をその時間間隔で割れば速度になります。cumsum は不要です。",
+                "The counts are added up before dividing, so the speed grows and grows. Each increment over its own step is the "
+                "speed there: no cumsum.",
+                "カウントを累積してから割っているため、速度が増え続けます。増分をその時間間隔で割れば速度になります。"
+                "cumsum は不要です。",
             ),
         ),
         Mistake(
@@ -683,7 +773,8 @@ EXERCISE = Exercise(
         Mistake(
             smoothed_over_three,
             Text(
-                "The speeds are smoothed over three samples. Return them as measured; the steps of one count that you see are no error.",
+                "The speeds are smoothed over three samples. Return them as measured; the steps of one count that you see are "
+                "no error.",
                 "速度を 3 サンプルで平均しています。測ったままの値を返しましょう。1 カウント分の段差は誤りではありません。",
             ),
         ),
@@ -695,9 +786,17 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            backward_set_to_zero,
+            Text(
+                "A wheel that turns backwards gets the speed 0. Negative speeds are speeds too.",
+                "逆転しているタイヤの速度が 0 になっています。負の速度もそのまま返しましょう。",
+            ),
+        ),
+        Mistake(
             direction_reversed,
             Text(
-                "The speed has the wrong sign. Here positive counts give a positive speed; which way a wheel is mounted is dealt with later.",
+                "The speed has the wrong sign. Here positive counts give a positive speed; which way a wheel is mounted is "
+                "dealt with later.",
                 "速度の符号が逆です。ここでは正のカウントは正の速度になります。モータの取り付けの向きは、あとの課題で扱います。",
             ),
         ),
@@ -706,6 +805,13 @@ EXERCISE = Exercise(
             Text(
                 "// drops the fraction: 133 counts // 150 is 0. Divide with /.",
                 "// は小数部分を切り捨てます。133 // 150 は 0 です。/ で割りましょう。",
+            ),
+        ),
+        Mistake(
+            whole_counts_on_the_axle,
+            Text(
+                "The counts on the wheel axle, dC, are cut to whole numbers. Most of a count gets lost there: leave out int.",
+                "車輪軸上のカウント dC の小数部分が切り捨てられています。ここで多くが失われます。int への変換は不要です。",
             ),
         ),
         Mistake(
@@ -718,7 +824,8 @@ EXERCISE = Exercise(
         Mistake(
             decimals_cut_off,
             Text(
-                "With whole numbers the decimals are cut off: an array made with zeros_like or empty_like from integers holds integers only. "
+                "With whole numbers the decimals are cut off: an array made with zeros_like or empty_like from integers holds "
+                "integers only. "
                 "Make it with dtype=float.",
                 "整数が渡されると小数部分が切り捨てられます。整数から zeros_like や empty_like で作った配列には整数しか入りません。"
                 "dtype=float を指定しましょう。",
@@ -727,15 +834,19 @@ EXERCISE = Exercise(
         Mistake(
             rounded,
             Text(
-                "The speed is rounded to 3 decimals. Distances are summed from it later, and so are the rounding errors: round only for display.",
-                "速度が小数第 3 位までに丸められています。あとで距離を積算すると丸め誤差も積み重なります。丸めるのは表示のときだけにしましょう。",
+                "The speed is rounded to 3 decimals. Distances are summed from it later, and so are the rounding errors: round "
+                "only for display.",
+                "速度が小数第 3 位までに丸められています。あとで距離を積算すると丸め誤差も積み重なります。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
             rounded_coarsely,
             Text(
-                "The speed is rounded to 2 decimals. Distances are summed from it later, and so are the rounding errors: round only for display.",
-                "速度が小数第 2 位までに丸められています。あとで距離を積算すると丸め誤差も積み重なります。丸めるのは表示のときだけにしましょう。",
+                "The speed is rounded to 2 decimals. Distances are summed from it later, and so are the rounding errors: round "
+                "only for display.",
+                "速度が小数第 2 位までに丸められています。あとで距離を積算すると丸め誤差も積み重なります。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
@@ -743,14 +854,17 @@ EXERCISE = Exercise(
             Text(
                 "For single numbers an array comes back. A number in, a number out: np.asarray leaves a number without a shape, "
                 "np.atleast_1d and [counts] do not.",
-                "数値を渡しても配列が返っています。数値には数値を返しましょう。np.atleast_1d や [counts] ではなく np.asarray を使えば、数値は数値のままです。",
+                "数値を渡しても配列が返っています。数値には数値を返しましょう。"
+                "np.atleast_1d や [counts] ではなく np.asarray を使えば、数値は数値のままです。",
             ),
         ),
         Mistake(
             single_entry_becomes_number,
             Text(
-                "An array with one entry comes back as a bare number. An array in, an array out, whatever its length: leave out squeeze and the like.",
-                "要素 1 つの配列を渡すと、ただの数値が返っています。長さに関係なく、配列には配列を返しましょう。squeeze などは不要です。",
+                "An array with one entry comes back as a bare number. An array in, an array out, whatever its length: leave out "
+                "squeeze and the like.",
+                "要素 1 つの配列を渡すと、ただの数値が返っています。長さに関係なく、配列には配列を返しましょう。"
+                "squeeze などは不要です。",
             ),
         ),
         Mistake(

@@ -220,8 +220,10 @@ EXERCISE = Exercise(
         Mistake(
             dt_forgotten,
             Text(
-                "These are the speed and the yaw rate themselves, per second. The displacement is what happens in one step: where does dt come in?",
-                "速度と角速度がそのまま返っています。これらは 1 秒あたりの値です。求めるのは 1 周期の移動量です。dt はどこに入りますか。",
+                "These are the speed and the yaw rate themselves, per second. The displacement is what happens in one step: "
+                "where does dt come in?",
+                "速度と角速度がそのまま返っています。これらは 1 秒あたりの値です。求めるのは 1 周期の移動量です。"
+                "dt はどこに入りますか。",
             ),
         ),
         Mistake(
@@ -269,14 +271,17 @@ EXERCISE = Exercise(
         Mistake(
             half_a_step,
             Text(
-                "u and phi are both half of what they should be. The whole step of length dt is asked for; the half belongs to the mean of two wheel speeds.",
-                "u も phi も半分の値です。ここで求めるのは 1 周期 dt の全体です。1/2 が出てくるのは、左右の車輪の速度を平均するときです。",
+                "u and phi are both half of what they should be. The whole step of length dt is asked for; the half belongs "
+                "to the mean of two wheel speeds.",
+                "u も phi も半分の値です。ここで求めるのは 1 周期 dt の全体です。"
+                "1/2 が出てくるのは、左右の車輪の速度を平均するときです。",
             ),
         ),
         Mistake(
             half_the_turn,
             Text(
-                "phi is half of what it should be. The half of the midpoint rule comes later, where the heading is used; phi is the whole turn.",
+                "phi is half of what it should be. The half of the midpoint rule comes later, where the heading is used; phi "
+                "is the whole turn.",
                 "phi が半分の値です。中点則の 1/2 は、あとで方位を使うときに出てきます。phi は 1 周期で回る角度の全体です。",
             ),
         ),
@@ -311,8 +316,10 @@ EXERCISE = Exercise(
         Mistake(
             turn_in_the_second_place,
             Text(
-                "The turn stands in the second place. The order is (u, v, phi): which of the three is the sideways part, and what is it for a robot on wheels?",
-                "2 番目に回転量が入っています。順序は (u, v, phi) です。横方向の移動量はどれで、車輪型ロボットではいくらになりますか。",
+                "The turn stands in the second place. The order is (u, v, phi): which of the three is the sideways part, and "
+                "what is it for a robot on wheels?",
+                "2 番目に回転量が入っています。順序は (u, v, phi) です。"
+                "横方向の移動量はどれで、車輪型ロボットではいくらになりますか。",
             ),
         ),
         Mistake(
@@ -339,43 +346,51 @@ EXERCISE = Exercise(
         Mistake(
             rotated_by_the_turn,
             Text(
-                "The displacement was turned by phi already. In overview 3 u and v are measured in the robot's axes before the step; turning comes later, and by the heading.",
-                "移動量をすでに phi だけ回転しています。概要 #3 の u と v は、動く前のロボットの座標で測ったものです。回転はあとで、方位を使って行います。",
+                "The displacement was turned by phi already. In overview 3 u and v are measured in the robot's axes before "
+                "the step; turning comes later, and by the heading.",
+                "移動量をすでに phi だけ回転しています。概要 #3 の u と v は、動く前のロボットの座標で測ったものです。"
+                "回転はあとで、方位を使って行います。",
             ),
         ),
         Mistake(
             end_of_the_arc,
             Text(
-                "This is the end of a circular arc. Overview 3 has the simpler step straight ahead; the arc is an exercise of its own later.",
+                "This is the end of a circular arc. Overview 3 has the simpler step straight ahead; the arc is an exercise of "
+                "its own later.",
                 "円弧の終点の式になっています。概要 #3 はもっと簡単な、まっすぐ前へ進む 1 歩です。円弧はあとの課題で扱います。",
             ),
         ),
         Mistake(
             chord_of_the_arc,
             Text(
-                "u is the chord of a circular arc. Overview 3 takes the length of the way itself; the arc is an exercise of its own later.",
+                "u is the chord of a circular arc. Overview 3 takes the length of the way itself; the arc is an exercise of "
+                "its own later.",
                 "u が円弧の弦の長さになっています。概要 #3 の u は進んだ道のりそのものです。円弧はあとの課題で扱います。",
             ),
         ),
         Mistake(
             speed_times_yaw_rate,
             Text(
-                "v contains V times omega. That is an acceleration, felt in a curve; it moves nothing to the side in the robot's own axes.",
+                "v contains V times omega. That is an acceleration, felt in a curve; it moves nothing to the side in the "
+                "robot's own axes.",
                 "v に V×omega が入っています。これはカーブで感じる加速度で、ロボット自身の座標で横へ動くわけではありません。",
             ),
         ),
         Mistake(
             sideways_drift_of_a_small_turn,
             Text(
-                "v contains u times phi, the way sideways for a small turn. In overview 3 u and v are measured in the axes before the step, and the wheels do not slide sideways.",
+                "v contains u times phi, the way sideways for a small turn. In overview 3 u and v are measured in the axes "
+                "before the step, and the wheels do not slide sideways.",
                 "v に u×phi(小さな旋回での横ずれ)が入っています。概要 #3 では動く前の座標で測り、車輪は横に滑らないとします。",
             ),
         ),
         Mistake(
             one_in_the_second_place,
             Text(
-                "v is 1, so the robot would slide a metre sideways in every step. What is the sideways motion of a robot on wheels?",
-                "v が 1 になっています。これでは 1 周期ごとに 1 m も横に滑ってしまいます。車輪型ロボットの横方向の移動量はいくらですか。",
+                "v is 1, so the robot would slide a metre sideways in every step. What is the sideways motion of a robot on "
+                "wheels?",
+                "v が 1 になっています。これでは 1 周期ごとに 1 m も横に滑ってしまいます。"
+                "車輪型ロボットの横方向の移動量はいくらですか。",
             ),
         ),
         Mistake(
@@ -445,7 +460,8 @@ EXERCISE = Exercise(
             turn_wrapped,
             Text(
                 "phi is wrapped to -pi..pi. It is the change of heading, and a large one must stay large: no modulo.",
-                "phi が -π〜π に折り返されています。phi は方位の変化量で、大きな値はそのまま残さなければなりません。剰余はとりません。",
+                "phi が -π〜π に折り返されています。phi は方位の変化量で、大きな値はそのまま残さなければなりません。"
+                "剰余はとりません。",
             ),
         ),
         Mistake(
@@ -458,7 +474,8 @@ EXERCISE = Exercise(
         Mistake(
             zero_left_out,
             Text(
-                "Only two numbers come back. The displacement has three, (u, v, phi); the one that does not change must be there too.",
+                "Only two numbers come back. The displacement has three, (u, v, phi); the one that does not change must be "
+                "there too.",
                 "数が 2 つしか返っていません。移動量は (u, v, phi) の 3 つです。動かない方向の成分も省かずに入れましょう。",
             ),
         ),
@@ -479,21 +496,25 @@ EXERCISE = Exercise(
         Mistake(
             whole_numbers_cut_off,
             Text(
-                "With whole numbers as speeds the decimals are cut off: the array was made from integers and holds integers only. Make it with dtype=float.",
-                "速度が整数のとき、小数部分が切り捨てられます。整数から作った配列には整数しか入りません。dtype=float で作りましょう。",
+                "With whole numbers as speeds the decimals are cut off: the array was made from integers and holds integers "
+                "only. Make it with dtype=float.",
+                "速度が整数のとき、小数部分が切り捨てられます。整数から作った配列には整数しか入りません。"
+                "dtype=float で作りましょう。",
             ),
         ),
         Mistake(
             rounded,
             Text(
                 "The result is rounded. A step is a few millimetres, and thousands of them are added up: round only for display.",
-                "結果が丸められています。1 周期の移動は数 mm で、それを何千回も足し合わせます。丸めるのは表示のときだけにしましょう。",
+                "結果が丸められています。1 周期の移動は数 mm で、それを何千回も足し合わせます。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
             column_returned,
             Text(
-                "The result is a column, shape (3, 1). Three numbers in a row are asked for, shape (3,): leave out the inner brackets.",
+                "The result is a column, shape (3, 1). Three numbers in a row are asked for, shape (3,): leave out the inner "
+                "brackets.",
                 "結果が形状 (3, 1) の縦ベクトルになっています。求める形状は (3,) です。内側のかっこを外しましょう。",
             ),
         ),

@@ -22,7 +22,7 @@ def cases(rng):
     def eighth(number):
         return (number + rng.uniform(0.26, 0.74)) * np.pi / 4
 
-    quadrants = rng.integers(0, 2, 4) + [0, 2, 4, 6]
+    quadrants = np.array([0, 2, 4, 6]) + rng.integers(0, 2, 4)
     far = [eighth(4) + 2 * np.pi * rng.integers(1, 3), eighth(5) - 2 * np.pi * rng.integers(2, 4)]
     return [
         Group(Text("positive headings", "正の方位"), 3, [(eighth(number),) for number in quadrants]),
@@ -202,56 +202,71 @@ EXERCISE = Exercise(
         Mistake(
             transposed,
             Text(
-                "This matrix turns the other way: it is the transpose, from global to sensor axes. Multiply it by (1, 0, 0) at a small positive heading: the result must point a little to the left, towards +y.",
-                "回転の向きが逆です。これは転置した行列で、グローバル座標からセンサ座標へ移すものです。小さな正の方位で (1, 0, 0) に掛けてみましょう。結果は少し左、+y の側を向くはずです。",
+                "This matrix turns the other way: it is the transpose, from global to sensor axes. Multiply it by (1, 0, 0) "
+                "at a small positive heading: the result must point a little to the left, towards +y.",
+                "回転の向きが逆です。これは転置した行列で、グローバル座標からセンサ座標へ移すものです。"
+                "小さな正の方位で (1, 0, 0) に掛けてみましょう。結果は少し左、+y の側を向くはずです。",
             ),
         ),
         Mistake(
             no_minus_sign,
             Text(
-                "Both sines have the same sign, plus. A rotation keeps forward and left at right angles: is the product of the first two columns 0?",
-                "2 つの sin がどちらもプラスです。回転しても前方向と左方向は直角のままです。1 列目と 2 列目の内積は 0 になっていますか。",
+                "Both sines have the same sign, plus. A rotation keeps forward and left at right angles: is the product of "
+                "the first two columns 0?",
+                "2 つの sin がどちらもプラスです。回転しても前方向と左方向は直角のままです。"
+                "1 列目と 2 列目の内積は 0 になっていますか。",
             ),
         ),
         Mistake(
             both_sines_negative,
             Text(
-                "Both sines have the same sign, minus. A rotation keeps forward and left at right angles: is the product of the first two columns 0?",
-                "2 つの sin がどちらもマイナスです。回転しても前方向と左方向は直角のままです。1 列目と 2 列目の内積は 0 になっていますか。",
+                "Both sines have the same sign, minus. A rotation keeps forward and left at right angles: is the product of "
+                "the first two columns 0?",
+                "2 つの sin がどちらもマイナスです。回転しても前方向と左方向は直角のままです。"
+                "1 列目と 2 列目の内積は 0 になっていますか。",
             ),
         ),
         Mistake(
             mirror_matrix,
             Text(
-                "This matrix mirrors instead of turning: its determinant is -1. At heading 0 nothing may change: what does the second row do to v there?",
-                "これは回転ではなく鏡映の行列で、行列式が -1 です。方位 0 では何も変わらないはずです。そのとき 2 行目は v をどう変えていますか。",
+                "This matrix mirrors instead of turning: its determinant is -1. At heading 0 nothing may change: what does "
+                "the second row do to v there?",
+                "これは回転ではなく鏡映の行列で、行列式が -1 です。方位 0 では何も変わらないはずです。"
+                "そのとき 2 行目は v をどう変えていますか。",
             ),
         ),
         Mistake(
             second_cosine_negative,
             Text(
-                "The cosine in the second row has a minus sign. At heading 0 the matrix must change nothing: v there would become -v.",
-                "2 行目の cos にマイナスが付いています。方位 0 では何も変わらないはずですが、これでは v が -v になってしまいます。",
+                "The cosine in the second row has a minus sign. At heading 0 the matrix must change nothing: v there would "
+                "become -v.",
+                "2 行目の cos にマイナスが付いています。方位 0 では何も変わらないはずですが、"
+                "これでは v が -v になってしまいます。",
             ),
         ),
         Mistake(
             first_cosine_negative,
             Text(
-                "The cosine in the first row has a minus sign. At heading 0 the matrix must change nothing: u there would become -u.",
-                "1 行目の cos にマイナスが付いています。方位 0 では何も変わらないはずですが、これでは u が -u になってしまいます。",
+                "The cosine in the first row has a minus sign. At heading 0 the matrix must change nothing: u there would "
+                "become -u.",
+                "1 行目の cos にマイナスが付いています。方位 0 では何も変わらないはずですが、"
+                "これでは u が -u になってしまいます。",
             ),
         ),
         Mistake(
             sin_cos_exchanged,
             Text(
-                "sin and cos are exchanged. At heading 0 the matrix must change nothing; compute it there and look at the diagonal.",
-                "sin と cos が入れ替わっています。方位 0 では何も変わらないはずです。theta = 0 を入れて対角成分を見てみましょう。",
+                "sin and cos are exchanged. At heading 0 the matrix must change nothing; compute it there and look at the "
+                "diagonal.",
+                "sin と cos が入れ替わっています。方位 0 では何も変わらないはずです。"
+                "theta = 0 を入れて対角成分を見てみましょう。",
             ),
         ),
         Mistake(
             columns_exchanged,
             Text(
-                "The first two columns are exchanged. The first column says where forward (1, 0, 0) goes, the second where left (0, 1, 0) goes.",
+                "The first two columns are exchanged. The first column says where forward (1, 0, 0) goes, the second where "
+                "left (0, 1, 0) goes.",
                 "1 列目と 2 列目が入れ替わっています。1 列目は前方向 (1, 0, 0) の行き先、2 列目は左方向 (0, 1, 0) の行き先です。",
             ),
         ),
@@ -272,29 +287,35 @@ EXERCISE = Exercise(
         Mistake(
             tan_for_sin,
             Text(
-                "tan stands where a sine belongs. A displacement keeps its length when it is turned: is each of the first two columns of length 1?",
-                "sin であるべきところに tan が使われています。回転しても移動量の長さは変わりません。1 列目と 2 列目の長さは 1 になっていますか。",
+                "tan stands where a sine belongs. A displacement keeps its length when it is turned: is each of the first two "
+                "columns of length 1?",
+                "sin であるべきところに tan が使われています。回転しても移動量の長さは変わりません。"
+                "1 列目と 2 列目の長さは 1 になっていますか。",
             ),
         ),
         Mistake(
             small_angle_matrix,
             Text(
                 "cos theta is replaced by 1 and sin theta by theta. That holds for tiny angles only; here any heading may come.",
-                "cos theta を 1、sin theta を theta で置き換えています。これはごく小さな角度だけの近似です。ここではどんな方位も渡されます。",
+                "cos theta を 1、sin theta を theta で置き換えています。これはごく小さな角度だけの近似です。"
+                "ここではどんな方位も渡されます。",
             ),
         ),
         Mistake(
             sine_from_root,
             Text(
-                "The sine always comes out positive, as a square root does. Its sign depends on the heading; use the sine itself.",
+                "The sine always comes out positive, as a square root does. Its sign depends on the heading; use the sine "
+                "itself.",
                 "sin がいつも正になっています。平方根で求めると符号が失われます。sin をそのまま使いましょう。",
             ),
         ),
         Mistake(
             cosine_from_root,
             Text(
-                "The cosine always comes out positive, as a square root does. Beyond a quarter turn it must be negative; use the cosine itself.",
-                "cos がいつも正になっています。平方根で求めると符号が失われます。1/4 回転を超えると cos は負です。cos をそのまま使いましょう。",
+                "The cosine always comes out positive, as a square root does. Beyond a quarter turn it must be negative; use "
+                "the cosine itself.",
+                "cos がいつも正になっています。平方根で求めると符号が失われます。1/4 回転を超えると cos は負です。"
+                "cos をそのまま使いましょう。",
             ),
         ),
         Mistake(
@@ -328,8 +349,10 @@ EXERCISE = Exercise(
         Mistake(
             heading_in_the_corner,
             Text(
-                "theta stands in the lower right corner. The third row takes phi over as it is; the old heading is added later, outside the matrix.",
-                "右下の成分が theta になっています。3 行目は phi をそのまま受け渡す行です。元の方位は、行列の外であとから足します。",
+                "theta stands in the lower right corner. The third row takes phi over as it is; the old heading is added "
+                "later, outside the matrix.",
+                "右下の成分が theta になっています。3 行目は phi をそのまま受け渡す行です。"
+                "元の方位は、行列の外であとから足します。",
             ),
         ),
         Mistake(
@@ -342,28 +365,33 @@ EXERCISE = Exercise(
         Mistake(
             ones_in_the_last_column,
             Text(
-                "There are ones above the lower right corner: they would add phi, an angle, to x and y. The matrix of overview 4 has zeros there.",
-                "3 列目の上の 2 つの成分が 1 です。これでは角度 phi が x と y に足されてしまいます。概要 #4 の行列を見直しましょう。",
+                "There are ones above the lower right corner: they would add phi, an angle, to x and y. The matrix of "
+                "overview 4 has zeros there.",
+                "3 列目の上の 2 つの成分が 1 です。これでは角度 phi が x と y に足されてしまいます。"
+                "概要 #4 の行列を見直しましょう。",
             ),
         ),
         Mistake(
             ones_in_the_last_row,
             Text(
-                "There are ones left of the lower right corner: they would add lengths to an angle. The matrix of overview 4 has zeros there.",
+                "There are ones left of the lower right corner: they would add lengths to an angle. The matrix of overview 4 "
+                "has zeros there.",
                 "3 行目の左の 2 つの成分が 1 です。これでは長さが角度に足されてしまいます。概要 #4 の行列を見直しましょう。",
             ),
         ),
         Mistake(
             turned_about_x,
             Text(
-                "This turns about the x axis. A robot on the floor turns about the vertical axis: the third row and column are the ones that stay.",
+                "This turns about the x axis. A robot on the floor turns about the vertical axis: the third row and column "
+                "are the ones that stay.",
                 "x 軸まわりの回転になっています。床の上のロボットは鉛直軸まわりに回ります。変わらないのは 3 行目と 3 列目です。",
             ),
         ),
         Mistake(
             turned_about_y,
             Text(
-                "This turns about the y axis. A robot on the floor turns about the vertical axis: the third row and column are the ones that stay.",
+                "This turns about the y axis. A robot on the floor turns about the vertical axis: the third row and column "
+                "are the ones that stay.",
                 "y 軸まわりの回転になっています。床の上のロボットは鉛直軸まわりに回ります。変わらないのは 3 行目と 3 列目です。",
             ),
         ),
@@ -377,21 +405,25 @@ EXERCISE = Exercise(
         Mistake(
             whole_numbers_cut_off,
             Text(
-                "The decimals are cut off: an array of integers holds integers only. Look at the dtype with which the matrix is made.",
+                "The decimals are cut off: an array of integers holds integers only. Look at the dtype with which the matrix "
+                "is made.",
                 "小数部分が切り捨てられています。整数の配列には整数しか入りません。行列を作るときの dtype を確かめましょう。",
             ),
         ),
         Mistake(
             copied_from_an_integer_heading,
             Text(
-                "When theta is a whole number the decimals of the matrix are cut off: its dtype follows that of theta. Make the matrix of floats.",
-                "theta が整数のとき、行列の小数部分が切り捨てられます。行列の dtype が theta と同じ整数になっています。浮動小数点数の行列を作りましょう。",
+                "When theta is a whole number the decimals of the matrix are cut off: its dtype follows that of theta. Make "
+                "the matrix of floats.",
+                "theta が整数のとき、行列の小数部分が切り捨てられます。行列の dtype が theta と同じ整数になっています。"
+                "浮動小数点数の行列を作りましょう。",
             ),
         ),
         Mistake(
             only_two_by_two,
             Text(
-                "This is the rotation of x and y alone, (2, 2). The matrix of overview 4 acts on (u, v, phi): it has a third row and column.",
+                "This is the rotation of x and y alone, (2, 2). The matrix of overview 4 acts on (u, v, phi): it has a third "
+                "row and column.",
                 "x と y だけを回転する 2×2 の行列です。概要 #4 の行列は (u, v, phi) に掛けるので、3 行目と 3 列目があります。",
             ),
         ),
@@ -405,7 +437,8 @@ EXERCISE = Exercise(
         Mistake(
             four_by_four,
             Text(
-                "This is a (4, 4) matrix of three-dimensional geometry. A pose in the plane has three entries (x, y, theta), so (3, 3) is asked for.",
+                "This is a (4, 4) matrix of three-dimensional geometry. A pose in the plane has three entries (x, y, theta), "
+                "so (3, 3) is asked for.",
                 "3 次元用の 4×4 の行列です。平面上の姿勢は (x, y, theta) の 3 つですから、3×3 の行列を返しましょう。",
             ),
         ),

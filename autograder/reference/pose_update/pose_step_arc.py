@@ -66,7 +66,11 @@ def cases(rng):
         Group(Text("almost straight on (dtheta = 1e-12)", "ほぼ直進 (dtheta = 1e-12)"), 2, [tiny_turn(1), tiny_turn(-1)]),
         Group(Text("turns by more than half a turn", "半回転を超える旋回"), 1, [*wide]),
         Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [step(1, 0.5, rng.choice([-2, -1, 1, 2])), *across]),
-        Group(Text("lists and whole numbers", "リストや整数の入力"), 1, [until(whole, clear_of_zero), (pose.tolist(), distance, dtheta)]),
+        Group(
+            Text("lists and whole numbers", "リストや整数の入力"),
+            1,
+            [until(whole, clear_of_zero), (pose.tolist(), distance, dtheta)],
+        ),
     ]
 
 
@@ -76,7 +80,7 @@ def clear_of_zero(pose, distance, dtheta):
 
 
 def _loses_digits(pose, distance, dtheta):
-    """Does R (sin(theta + dtheta) - sin(theta)) miss the end of the arc by far, in x and in y?
+    """Return whether R (sin(theta + dtheta) - sin(theta)) misses the end of the arc by far, in x and in y.
 
     Headings whose sines NumPy and math round differently are left out, so that all who compute this get the same wrong number.
     """
@@ -477,12 +481,19 @@ def yaw_left_out(pose, distance, dtheta):
 
 
 _DIVIDED = Text(
-    "Where the robot drives straight on (dtheta = 0), the radius D/dtheta is a division by zero. The arc itself is harmless there: it becomes a straight line. Choose the formula before dividing, or write the chord with np.sinc (read its docstring).",
-    "直進(dtheta = 0)のとき、半径 D/dtheta が 0 での割り算になっています。円弧そのものに問題はなく、直線になるだけです。割り算の前に式を選ぶか、弦の長さを np.sinc で表しましょう(docstring を読んでください)。",
+    "Where the robot drives straight on (dtheta = 0), the radius D/dtheta is a division by zero. The arc itself is harmless "
+    "there: it becomes a straight line. Choose the formula before dividing, or write the chord with np.sinc (read its "
+    "docstring).",
+    "直進(dtheta = 0)のとき、半径 D/dtheta が 0 での割り算になっています。円弧そのものに問題はなく、直線になるだけです。"
+    "割り算の前に式を選ぶか、弦の長さを np.sinc で表しましょう(docstring を読んでください)。",
 )
 _DIGITS_LOST = Text(
-    "dtheta = 0 is right, but for dtheta = 1e-12 the result is too far off: two almost equal numbers are subtracted and the rest is multiplied by a huge radius. Comparing with 0 exactly does not catch a tiny turn; treat all tiny turns alike, or use a form without that difference.",
-    "dtheta = 0 では正しいのですが、1e-12 のときの誤差が大きすぎます。ほぼ等しい 2 数の差に、巨大な半径を掛けているためです。0 との完全な一致を調べるだけでは、ごく小さな旋回を拾えません。小さな旋回をまとめて扱うか、この引き算が現れない形にしましょう。",
+    "dtheta = 0 is right, but for dtheta = 1e-12 the result is too far off: two almost equal numbers are subtracted and the "
+    "rest is multiplied by a huge radius. Comparing with 0 exactly does not catch a tiny turn; treat all tiny turns alike, or "
+    "use a form without that difference.",
+    "dtheta = 0 では正しいのですが、1e-12 のときの誤差が大きすぎます。ほぼ等しい 2 数の差に、巨大な半径を掛けているためです。"
+    "0 との完全な一致を調べるだけでは、ごく小さな旋回を拾えません。"
+    "小さな旋回をまとめて扱うか、この引き算が現れない形にしましょう。",
 )
 _STANDS_STILL = Text(
     "Where it should drive straight on, the robot stands still. dtheta = 0 means no turn; the distance is made all the same.",
@@ -493,12 +504,16 @@ _ALONG_X = Text(
     "直進するはずのところで、方位に関係なく x 方向へ進んでいます。まっすぐ進む向きは theta です。",
 )
 _TOO_SOON = Text(
-    "Gentle turns are not exact: below a threshold the robot goes straight along the old heading, and that threshold is too large. How small must dtheta be until a straight step along theta is off by less than 1e-6 of the distance?",
-    "ゆるやかな旋回で誤差が残っています。しきい値より小さい旋回を直進とみなしていますが、そのしきい値が大きすぎます。直進とみなした誤差が距離の 1e-6 倍より小さくなるのは、dtheta がどのくらいのときでしょうか。",
+    "Gentle turns are not exact: below a threshold the robot goes straight along the old heading, and that threshold is too "
+    "large. How small must dtheta be until a straight step along theta is off by less than 1e-6 of the distance?",
+    "ゆるやかな旋回で誤差が残っています。しきい値より小さい旋回を直進とみなしていますが、そのしきい値が大きすぎます。"
+    "直進とみなした誤差が距離の 1e-6 倍より小さくなるのは、dtheta がどのくらいのときでしょうか。",
 )
 _SOMETHING_ADDED = Text(
-    "A small number is added to dtheta to avoid the division by zero. That changes the result where dtheta is small, and the error there is larger than the division was worth. Choose the formula by the size of dtheta instead.",
-    "0 での割り算を避けるために、dtheta に小さな数を足しています。これでは dtheta が小さいところで結果が狂います。足すのではなく、dtheta の大きさで式を選びましょう。",
+    "A small number is added to dtheta to avoid the division by zero. That changes the result where dtheta is small, and the "
+    "error there is larger than the division was worth. Choose the formula by the size of dtheta instead.",
+    "0 での割り算を避けるために、dtheta に小さな数を足しています。これでは dtheta が小さいところで結果が狂います。"
+    "足すのではなく、dtheta の大きさで式を選びましょう。",
 )
 
 EXERCISE = Exercise(
@@ -520,8 +535,8 @@ EXERCISE = Exercise(
         Mistake(
             yaw_kept,
             Text(
-                "x and y are right, but the heading stays as it was. At the end of the arc the robot looks in another direction.",
-                "x, y は合っていますが、方位が元のままです。円弧の終わりでは、ロボットの向きは変わっています。",
+                "The heading stays as it was. At the end of the arc the robot looks in another direction.",
+                "方位が元のままです。円弧の終わりでは、ロボットの向きは変わっています。",
             ),
         ),
         Mistake(
@@ -534,15 +549,16 @@ EXERCISE = Exercise(
         Mistake(
             middle_heading_returned,
             Text(
-                "x and y are right, but the heading that comes back is the direction of the chord, half-way through the turn. At the end of the arc the whole turn is made.",
-                "x, y は合っていますが、返している方位が弦の向き(旋回の半分)です。円弧の終わりでは旋回をすべて終えています。",
+                "The heading that comes back is the direction of the chord, half-way through the turn. At the end of the arc "
+                "the whole turn is made.",
+                "返している方位が弦の向き(旋回の半分)です。円弧の終わりでは旋回をすべて終えています。",
             ),
         ),
         Mistake(
             turn_subtracted_at_the_end,
             Text(
-                "x and y are right, but dtheta is subtracted from the heading.",
-                "x, y は合っていますが、方位から dtheta を引いています。",
+                "dtheta is subtracted from the heading.",
+                "方位から dtheta を引いています。",
             ),
         ),
         Mistake(
@@ -566,8 +582,10 @@ EXERCISE = Exercise(
         Mistake(
             right_turns_taken_for_straight,
             Text(
-                "Every turn to the right is treated as straight. The test dtheta < ... holds for all negative dtheta as well: the size is to be compared.",
-                "右旋回がすべて直進として扱われています。dtheta < ... という条件は、負の dtheta でもすべて成り立ってしまいます。比べるのは大きさです。",
+                "Every turn to the right is treated as straight. The test dtheta < ... holds for all negative dtheta as well: "
+                "the size is to be compared.",
+                "右旋回がすべて直進として扱われています。dtheta < ... という条件は、"
+                "負の dtheta でもすべて成り立ってしまいます。比べるのは大きさです。",
             ),
         ),
         Mistake(straight_on_below_a_twentieth, _TOO_SOON),
@@ -575,8 +593,10 @@ EXERCISE = Exercise(
         Mistake(
             small_turn_forgotten,
             Text(
-                "On gentle turns the robot goes straight on and keeps its heading. Many gentle turns make a large one: the heading must change each time, and the threshold is too large.",
-                "ゆるやかな旋回が直進とみなされ、方位も変わっていません。小さな旋回も積み重なれば大きくなります。方位は毎回更新しなければなりませんし、しきい値も大きすぎます。",
+                "On gentle turns the robot goes straight on and keeps its heading. Many gentle turns make a large one: the "
+                "heading must change each time, and the threshold is too large.",
+                "ゆるやかな旋回が直進とみなされ、方位も変わっていません。小さな旋回も積み重なれば大きくなります。"
+                "方位は毎回更新しなければなりませんし、しきい値も大きすぎます。",
             ),
         ),
         Mistake(stands_still_on_the_straight, _STANDS_STILL),
@@ -593,7 +613,8 @@ EXERCISE = Exercise(
         Mistake(
             sin_cos_exchanged_on_the_straight,
             Text(
-                "The arc is right, but in the branch for driving straight on sin and cos are exchanged. A heading of 0 looks along +x.",
+                "The arc is right, but in the branch for driving straight on sin and cos are exchanged. A heading of 0 looks "
+                "along +x.",
                 "円弧は正しく計算できていますが、直進の場合の式で sin と cos が入れ替わっています。方位 0 は +x の向きです。",
             ),
         ),
@@ -602,7 +623,8 @@ EXERCISE = Exercise(
         Mistake(
             sign_of_y_turned_round,
             Text(
-                "The step in y has the wrong sign on every arc. The integral of sin is -cos: a left turn from heading 0 must end at positive y.",
+                "The step in y has the wrong sign on every arc. The integral of sin is -cos: a left turn from heading 0 must "
+                "end at positive y.",
                 "円弧での y の移動量の符号が逆です。sin の積分は -cos です。方位 0 から左へ曲がれば、y は正になるはずです。",
             ),
         ),
@@ -616,7 +638,8 @@ EXERCISE = Exercise(
         Mistake(
             both_signs_turned_round,
             Text(
-                "On every arc the robot moves backwards: old and new heading are exchanged in the differences, or the radius has the wrong sign.",
+                "On every arc the robot moves backwards: old and new heading are exchanged in the differences, or the radius "
+                "has the wrong sign.",
                 "円弧では後ろ向きに進んでいます。差をとるときに元の方位と新しい方位が逆か、半径の符号が逆です。",
             ),
         ),
@@ -624,48 +647,56 @@ EXERCISE = Exercise(
             sin_cos_exchanged,
             Text(
                 "sin and cos are exchanged on the arc. x is the integral of cos theta: which function has cos as its derivative?",
-                "円弧の式で sin と cos が入れ替わっています。x は cos theta の積分です。微分すると cos になる関数はどちらでしょうか。",
+                "円弧の式で sin と cos が入れ替わっています。x は cos theta の積分です。"
+                "微分すると cos になる関数はどちらでしょうか。",
             ),
         ),
         Mistake(
             sin_cos_exchanged_along_the_chord,
             Text(
-                "Length and direction of the chord are right, but sin and cos are exchanged. A chord of direction 0 points along +x.",
-                "弦の長さと向きは正しいのですが、sin と cos が入れ替わっています。向きが 0 の弦は +x を指します。",
+                "sin and cos of the chord's direction are exchanged. A chord of direction 0 points along +x.",
+                "弦の向きの sin と cos が入れ替わっています。向きが 0 の弦は +x を指します。",
             ),
         ),
         Mistake(
             radius_without_sign,
             Text(
-                "The radius has lost its sign, so that right turns or reversing come out the wrong way. D/dtheta with its sign puts the centre on the correct side by itself.",
-                "半径の符号が失われ、右旋回や後退が逆向きになっています。D/dtheta を符号付きのまま使えば、旋回の中心は自然に正しい側にきます。",
+                "The radius has lost its sign, so that right turns or reversing come out the wrong way. D/dtheta with its "
+                "sign puts the centre on the correct side by itself.",
+                "半径の符号が失われ、右旋回や後退が逆向きになっています。"
+                "D/dtheta を符号付きのまま使えば、旋回の中心は自然に正しい側にきます。",
             ),
         ),
         Mistake(
             radius_upside_down,
             Text(
-                "The radius is turned upside down. An arc of angle dtheta and radius R has the length R dtheta: solve for R, and check the unit.",
+                "The radius is turned upside down. An arc of angle dtheta and radius R has the length R dtheta: solve for R, "
+                "and check the unit.",
                 "半径の割り算が逆です。半径 R、角度 dtheta の円弧の長さは R dtheta です。R について解き、単位も確かめましょう。",
             ),
         ),
         Mistake(
             radius_times_turn,
             Text(
-                "The distance is multiplied by dtheta to get the radius. An arc of angle dtheta and radius R has the length R dtheta: solve for R.",
-                "半径を求めるときに、距離に dtheta を掛けています。半径 R、角度 dtheta の円弧の長さは R dtheta です。R について解きましょう。",
+                "The distance is multiplied by dtheta to get the radius. An arc of angle dtheta and radius R has the length R "
+                "dtheta: solve for R.",
+                "半径を求めるときに、距離に dtheta を掛けています。半径 R、角度 dtheta の円弧の長さは R dtheta です。"
+                "R について解きましょう。",
             ),
         ),
         Mistake(
             distance_taken_for_radius,
             Text(
-                "The distance is used as if it were the radius of the arc. It is the length of the arc: how do length, radius and angle go together?",
+                "The distance is used as if it were the radius of the arc. It is the length of the arc: how do length, radius "
+                "and angle go together?",
                 "距離を円弧の半径として使っています。距離は円弧の長さです。長さ・半径・角度の関係を思い出しましょう。",
             ),
         ),
         Mistake(
             chord_without_sign,
             Text(
-                "The chord is always positive, so that reversing on an arc is drawn forward. Leave the sign of the distance in it.",
+                "The chord is always positive, so that reversing on an arc is drawn forward. Leave the sign of the distance "
+                "in it.",
                 "弦の長さがいつも正なので、曲がりながらの後退が前進になっています。距離の符号を残しましょう。",
             ),
         ),
@@ -686,7 +717,8 @@ EXERCISE = Exercise(
         Mistake(
             clockwise,
             Text(
-                "dtheta is subtracted everywhere, so that the robot turns to the wrong side. A positive dtheta makes the heading grow.",
+                "dtheta is subtracted everywhere, so that the robot turns to the wrong side. A positive dtheta makes the "
+                "heading grow.",
                 "どこでも dtheta を引いているため、逆向きに回っています。dtheta が正なら方位は増えます。",
             ),
         ),
@@ -694,21 +726,26 @@ EXERCISE = Exercise(
             sinc_of_half_the_turn,
             Text(
                 "np.sinc(x) is sin(pi x)/(pi x), with pi in it. Read its docstring: by what must dtheta/2 be divided first?",
-                "np.sinc(x) は sin(πx)/(πx) で、π を含んでいます。docstring を読みましょう。dtheta/2 を先に何で割っておく必要がありますか。",
+                "np.sinc(x) は sin(πx)/(πx) で、π を含んでいます。docstring を読みましょう。"
+                "dtheta/2 を先に何で割っておく必要がありますか。",
             ),
         ),
         Mistake(
             sinc_of_the_whole_turn,
             Text(
-                "The chord is too short: sin(dtheta)/dtheta is used, with the whole turn. Draw the triangle of the two radii and the chord: which angle stands at its half?",
-                "弦が短すぎます。旋回角の全体で sin(dtheta)/dtheta を計算しています。2 本の半径と弦の三角形を描きましょう。弦の半分に向かい合う角はどれですか。",
+                "The chord is too short: sin(dtheta)/dtheta is used, with the whole turn. Draw the triangle of the two radii "
+                "and the chord: which angle stands at its half?",
+                "弦が短すぎます。旋回角の全体で sin(dtheta)/dtheta を計算しています。2 本の半径と弦の三角形を描きましょう。"
+                "弦の半分に向かい合う角はどれですか。",
             ),
         ),
         Mistake(
             sinc_of_the_turn_without_pi,
             Text(
-                "np.sinc(dtheta) is sin(pi dtheta)/(pi dtheta): it has pi in it, and the whole turn instead of half. Read its docstring and draw the triangle of the chord.",
-                "np.sinc(dtheta) は sin(π dtheta)/(π dtheta) です。π が入っているうえに、旋回の半分ではなく全体を使っています。docstring を読み、弦の三角形を描いてみましょう。",
+                "np.sinc(dtheta) is sin(pi dtheta)/(pi dtheta): it has pi in it, and the whole turn instead of half. Read its "
+                "docstring and draw the triangle of the chord.",
+                "np.sinc(dtheta) は sin(π dtheta)/(π dtheta) です。"
+                "π が入っているうえに、旋回の半分ではなく全体を使っています。docstring を読み、弦の三角形を描いてみましょう。",
             ),
         ),
         Mistake(
@@ -721,63 +758,76 @@ EXERCISE = Exercise(
         Mistake(
             chord_along_the_old_heading,
             Text(
-                "The chord has the right length, but it is drawn along the heading before the step. In which direction does the chord of an arc point, compared with the headings at its two ends?",
-                "弦の長さは正しいのですが、動く前の方位の向きに進んでいます。円弧の弦の向きは、両端の方位と比べてどうなっているでしょうか。",
+                "The chord is drawn along the heading before the step. In which direction does the chord of an arc point, "
+                "compared with the headings at its two ends?",
+                "弦が、動く前の方位の向きに引かれています。円弧の弦の向きは、両端の方位と比べてどうなっているでしょうか。",
             ),
         ),
         Mistake(
             chord_along_the_new_heading,
             Text(
-                "The chord has the right length, but it is drawn along the heading after the step. In which direction does the chord of an arc point, compared with the headings at its two ends?",
-                "弦の長さは正しいのですが、動いた後の方位の向きに進んでいます。円弧の弦の向きは、両端の方位と比べてどうなっているでしょうか。",
+                "The chord is drawn along the heading after the step. In which direction does the chord of an arc point, "
+                "compared with the headings at its two ends?",
+                "弦が、動いた後の方位の向きに引かれています。円弧の弦の向きは、両端の方位と比べてどうなっているでしょうか。",
             ),
         ),
         Mistake(
             midpoint_rule,
             Text(
-                "This is the midpoint rule of the exercise before. Its direction is exact, but it takes the length of the arc for that of the chord: on a wide turn the straight way is shorter.",
-                "これは前の課題の中点則です。向きは厳密ですが、弧の長さをそのまま弦の長さとして使っています。大きく曲がるほど、まっすぐ結んだ距離は短くなります。",
+                "This is the midpoint rule of the exercise before. Its direction is exact, but it takes the length of the arc "
+                "for that of the chord: on a wide turn the straight way is shorter.",
+                "これは前の課題の中点則です。向きは厳密ですが、弧の長さをそのまま弦の長さとして使っています。"
+                "大きく曲がるほど、まっすぐ結んだ距離は短くなります。",
             ),
         ),
         Mistake(
             old_heading_used,
             Text(
-                "This goes straight on along the heading before the step, as pose_step does. Here the robot turns steadily on its way, so its path is an arc.",
-                "pose_step と同じく、動く前の方位の向きにまっすぐ進んでいます。ここでは進みながら一定の割合で回るので、経路は円弧になります。",
+                "This goes straight on along the heading before the step, as pose_step does. Here the robot turns steadily on "
+                "its way, so its path is an arc.",
+                "pose_step と同じく、動く前の方位の向きにまっすぐ進んでいます。"
+                "ここでは進みながら一定の割合で回るので、経路は円弧になります。",
             ),
         ),
         Mistake(
             new_heading_used,
             Text(
-                "This goes straight on along the heading after the step. Here the robot turns steadily on its way, so its path is an arc.",
+                "This goes straight on along the heading after the step. Here the robot turns steadily on its way, so its "
+                "path is an arc.",
                 "動いた後の方位の向きにまっすぐ進んでいます。ここでは進みながら一定の割合で回るので、経路は円弧になります。",
             ),
         ),
         Mistake(
             mean_of_both_headings,
             Text(
-                "cos and sin of the headings before and after are averaged (trapezoid). That is an approximation; the arc can be integrated exactly.",
+                "cos and sin of the headings before and after are averaged (trapezoid). That is an approximation; the arc can "
+                "be integrated exactly.",
                 "動く前と後の cos, sin を平均しています(台形則)。これは近似です。円弧なら厳密に積分できます。",
             ),
         ),
         Mistake(
             simpson_rule,
             Text(
-                "cos and sin are averaged with the weights 1, 4, 1 (Simpson). That is a good approximation, but on wide turns not exact; the arc can be integrated exactly.",
-                "cos, sin を 1, 4, 1 の重みで平均しています(シンプソン則)。よい近似ですが、大きな旋回では厳密ではありません。円弧なら厳密に積分できます。",
+                "cos and sin are averaged with the weights 1, 4, 1 (Simpson). That is a good approximation, but on wide turns "
+                "not exact; the arc can be integrated exactly.",
+                "cos, sin を 1, 4, 1 の重みで平均しています(シンプソン則)。よい近似ですが、大きな旋回では厳密ではありません。"
+                "円弧なら厳密に積分できます。",
             ),
         ),
         Mistake(
             start_heading_taken_for_zero,
             Text(
-                "The arc is computed as if the robot started with heading 0. That is right in the robot's own axes; it must still be turned by theta.",
-                "最初の方位が 0 であるかのように円弧を計算しています。ロボット自身の座標ではそれで正しいのですが、さらに theta だけ回転する必要があります。",
+                "The arc is computed as if the robot started with heading 0. That is right in the robot's own axes; it must "
+                "still be turned by theta.",
+                "最初の方位が 0 であるかのように円弧を計算しています。"
+                "ロボット自身の座標ではそれで正しいのですが、さらに theta だけ回転する必要があります。",
             ),
         ),
         Mistake(
             old_heading_left_out,
             Text(
-                "sin and cos of the old heading are missing: only the new heading comes in. An integral has two ends: which value belongs to the lower one?",
+                "sin and cos of the old heading are missing: only the new heading comes in. An integral has two ends: which "
+                "value belongs to the lower one?",
                 "新しい方位だけが使われ、元の方位の sin, cos が抜けています。定積分には両端があります。下端の値はいくつですか。",
             ),
         ),
@@ -791,22 +841,25 @@ EXERCISE = Exercise(
         Mistake(
             turn_wrapped,
             Text(
-                "On turns by more than half a turn the position is wrong: dtheta is wrapped first, and that makes another, shorter turn of it. Use dtheta as it comes.",
-                "半回転を超える旋回で位置が違います。先に dtheta を折り返しているため、別の(小さな)旋回になっています。dtheta はそのまま使いましょう。",
+                "On turns by more than half a turn the position is wrong: dtheta is wrapped first, and that makes another, "
+                "shorter turn of it. Use dtheta as it comes.",
+                "半回転を超える旋回で位置が違います。先に dtheta を折り返しているため、別の(小さな)旋回になっています。"
+                "dtheta はそのまま使いましょう。",
             ),
         ),
         Mistake(
             start_forgotten,
             Text(
-                "This is the motion alone. The new pose is the old pose plus the motion: where did x, y and theta of the start go?",
+                "This is the motion alone. The new pose is the old pose plus the motion: where did x, y and theta of the "
+                "start go?",
                 "これは移動量だけです。新しい姿勢は「元の姿勢 + 移動量」です。出発点の x, y, theta はどこで足しますか。",
             ),
         ),
         Mistake(
             position_forgotten,
             Text(
-                "The heading is right, but x and y of the start are missing.",
-                "方位は合っていますが、出発点の x, y が足されていません。",
+                "x and y of the start are missing: the motion is added to the old position.",
+                "出発点の x, y が足されていません。移動量は元の位置に足します。",
             ),
         ),
         Mistake(
@@ -819,8 +872,10 @@ EXERCISE = Exercise(
         Mistake(
             whole_numbers_cut_off,
             Text(
-                "With a pose of whole numbers the decimals are cut off: a copy of an integer array holds integers only. Make it np.array(pose, dtype=float).",
-                "姿勢が整数で渡されると、小数部分が切り捨てられます。整数の配列をコピーすると整数しか入りません。np.array(pose, dtype=float) としましょう。",
+                "With a pose of whole numbers the decimals are cut off: a copy of an integer array holds integers only. Make "
+                "it np.array(pose, dtype=float).",
+                "姿勢が整数で渡されると、小数部分が切り捨てられます。整数の配列をコピーすると整数しか入りません。"
+                "np.array(pose, dtype=float) としましょう。",
             ),
         ),
         Mistake(

@@ -290,8 +290,8 @@ EXERCISE = Exercise(
         Mistake(
             yaw_kept,
             Text(
-                "x and y are right, but the heading stays as it was. The third row of the matrix must hand phi on.",
-                "x, y は合っていますが、方位が元のままです。行列の 3 行目は phi を受け渡す行です。",
+                "The heading stays as it was. The third row of the matrix must hand phi on.",
+                "方位が元のままです。行列の 3 行目は phi を受け渡す行です。",
             ),
         ),
         Mistake(
@@ -304,7 +304,8 @@ EXERCISE = Exercise(
         Mistake(
             turn_subtracted,
             Text(
-                "phi is subtracted from the heading. Its sign already says to which side the robot turns: look at the lower right corner of the matrix.",
+                "phi is subtracted from the heading. Its sign already says to which side the robot turns: look at the lower "
+                "right corner of the matrix.",
                 "方位から phi を引いています。回る向きは phi の符号が表しています。行列の右下の成分を見直しましょう。",
             ),
         ),
@@ -326,7 +327,8 @@ EXERCISE = Exercise(
             yaw_wrapped,
             Text(
                 "The heading is wrapped to -pi..pi. Here it goes on counting beyond half a turn: wrap only for display.",
-                "方位が -π〜π に折り返されています。ここでは半回転を超えてもそのまま数え続けます。折り返すのは表示のときだけにしましょう。",
+                "方位が -π〜π に折り返されています。ここでは半回転を超えてもそのまま数え続けます。"
+                "折り返すのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
@@ -339,50 +341,63 @@ EXERCISE = Exercise(
         Mistake(
             plus_in_x,
             Text(
-                "In x the sideways part v has the wrong sign. With a heading of 90 deg (pi/2), to which side of the x axis does the sensor's left point?",
-                "x の式で、横方向の移動量 v の符号が逆です。方位が π/2 のとき、センサの左側は x 軸の正と負、どちらを向いているでしょうか。",
+                "In x the sideways part v has the wrong sign. With a heading of 90 deg (pi/2), to which side of the x axis "
+                "does the sensor's left point?",
+                "x の式で、横方向の移動量 v の符号が逆です。方位が π/2 のとき、センサの左側は x 軸の正と負、"
+                "どちらを向いているでしょうか。",
             ),
         ),
         Mistake(
             minus_in_y,
             Text(
-                "In y the sideways part v has the wrong sign. With a heading of 0 the sensor's axes and the global ones coincide: what must v do to y there?",
-                "y の式で、横方向の移動量 v の符号が逆です。方位 0 ではセンサの軸と全体の軸が重なります。そのとき v だけ動くと y はどう変わるでしょうか。",
+                "In y the sideways part v has the wrong sign. With a heading of 0 the sensor's axes and the global ones "
+                "coincide: what must v do to y there?",
+                "y の式で、横方向の移動量 v の符号が逆です。方位 0 ではセンサの軸と全体の軸が重なります。"
+                "そのとき v だけ動くと y はどう変わるでしょうか。",
             ),
         ),
         Mistake(
             rotated_backwards,
             Text(
-                "The displacement is turned the wrong way round. Either the matrix is the transpose (from global to sensor axes), or the vector stands to the left of the matrix. Which entry carries the minus sign in overview 4?",
-                "移動量を逆向きに回転しています。行列が転置(グローバルからセンサへ)になっているか、ベクトルを行列の左から掛けていませんか。概要 #4 の行列で、マイナスが付いているのはどの成分でしょうか。",
+                "The displacement is turned the wrong way round. Either the matrix is the transpose (from global to sensor "
+                "axes), or the vector stands to the left of the matrix. Which entry carries the minus sign in overview 4?",
+                "移動量を逆向きに回転しています。行列が転置(グローバルからセンサへ)になっているか、"
+                "ベクトルを行列の左から掛けていませんか。概要 #4 の行列で、マイナスが付いているのはどの成分でしょうか。",
             ),
         ),
         Mistake(
             left_taken_for_right,
             Text(
-                "v is taken to the right of the sensor, in x and in y. A positive v points to the left, 90 deg counter-clockwise from u.",
+                "v is taken to the right of the sensor, in x and in y. A positive v points to the left, 90 deg "
+                "counter-clockwise from u.",
                 "x でも y でも、v がセンサの右向きになっています。正の v は u から反時計回りに 90 度、つまり左向きです。",
             ),
         ),
         Mistake(
             sideways_ignored,
             Text(
-                "v has no effect. For a wheeled robot it is 0, but here the displacement has a sideways part too: use the whole second column of the matrix.",
-                "v が結果に入っていません。車輪型ロボットなら 0 ですが、ここでは横方向にも動きます。行列の 2 列目もすべて使いましょう。",
+                "v has no effect. For a wheeled robot it is 0, but here the displacement has a sideways part too: use the "
+                "whole second column of the matrix.",
+                "v が結果に入っていません。車輪型ロボットなら 0 ですが、ここでは横方向にも動きます。"
+                "行列の 2 列目もすべて使いましょう。",
             ),
         ),
         Mistake(
             sideways_left_out_of_x,
             Text(
-                "x takes no notice of v. Once the robot is turned, a sideways step changes x as well: look at the first row of the matrix.",
-                "x の式に v が入っていません。ロボットが傾いた向きにあれば、横方向の移動は x も変えます。行列の 1 行目を見直しましょう。",
+                "x takes no notice of v. Once the robot is turned, a sideways step changes x as well: look at the first row "
+                "of the matrix.",
+                "x の式に v が入っていません。ロボットが傾いた向きにあれば、横方向の移動は x も変えます。"
+                "行列の 1 行目を見直しましょう。",
             ),
         ),
         Mistake(
             only_along_own_axis,
             Text(
-                "x uses u alone and y uses v alone. Both u and v have a part along x and a part along y: all four corner entries of the matrix count.",
-                "x には u だけ、y には v だけが使われています。u も v も、x 方向と y 方向の両方に成分を持ちます。回転の 4 つの成分がすべて必要です。",
+                "x uses u alone and y uses v alone. Both u and v have a part along x and a part along y: all four corner "
+                "entries of the matrix count.",
+                "x には u だけ、y には v だけが使われています。u も v も、x 方向と y 方向の両方に成分を持ちます。"
+                "回転の 4 つの成分がすべて必要です。",
             ),
         ),
         Mistake(
@@ -395,15 +410,19 @@ EXERCISE = Exercise(
         Mistake(
             sideways_added_without_turning,
             Text(
-                "u is turned by the heading, but v is added to y as it is. v belongs to the sensor's axes as well, so it must be turned too.",
-                "u は方位に合わせて回転していますが、v はそのまま y に足されています。v もセンサ座標の量ですから、同じように回転が必要です。",
+                "u is turned by the heading, but v is added to y as it is. v belongs to the sensor's axes as well, so it must "
+                "be turned too.",
+                "u は方位に合わせて回転していますが、v はそのまま y に足されています。"
+                "v もセンサ座標の量ですから、同じように回転が必要です。",
             ),
         ),
         Mistake(
             sideways_along_the_heading,
             Text(
-                "v is added to u, as if both pointed along the heading. v is perpendicular to u: the second column of the matrix differs from the first.",
-                "v を u に足していて、どちらも前向きの移動になっています。v は u と直角の向きです。行列の 2 列目は 1 列目とは違います。",
+                "v is added to u, as if both pointed along the heading. v is perpendicular to u: the second column of the "
+                "matrix differs from the first.",
+                "v を u に足していて、どちらも前向きの移動になっています。v は u と直角の向きです。"
+                "行列の 2 列目は 1 列目とは違います。",
             ),
         ),
         Mistake(
@@ -416,14 +435,17 @@ EXERCISE = Exercise(
         Mistake(
             sin_cos_exchanged,
             Text(
-                "sin and cos are exchanged in the matrix. At heading 0 it must change nothing: compute it there and look at the diagonal.",
-                "行列の sin と cos が入れ替わっています。方位 0 では何も変わらないはずです。theta = 0 を入れて対角成分を見てみましょう。",
+                "sin and cos are exchanged in the matrix. At heading 0 it must change nothing: compute it there and look at "
+                "the diagonal.",
+                "行列の sin と cos が入れ替わっています。方位 0 では何も変わらないはずです。"
+                "theta = 0 を入れて対角成分を見てみましょう。",
             ),
         ),
         Mistake(
             x_and_y_exchanged,
             Text(
-                "What belongs to x is added to y, and the other way round: the first two rows of the matrix are exchanged. A heading of 0 looks along +x.",
+                "What belongs to x is added to y, and the other way round: the first two rows of the matrix are exchanged. A "
+                "heading of 0 looks along +x.",
                 "x に足す移動量と y に足す移動量が入れ替わっています。行列の 1 行目と 2 行目が逆です。方位 0 は +x の向きです。",
             ),
         ),
@@ -437,36 +459,45 @@ EXERCISE = Exercise(
         Mistake(
             not_turned,
             Text(
-                "The displacement is added to the pose without being turned. It is given in the sensor's axes, the pose in the global ones: what carries one into the other?",
-                "移動量を、回転させずにそのまま姿勢に足しています。移動量はセンサ座標、姿勢はグローバル座標の量です。その間をつなぐのは何でしょうか。",
+                "The displacement is added to the pose without being turned. It is given in the sensor's axes, the pose in "
+                "the global ones: what carries one into the other?",
+                "移動量を、回転させずにそのまま姿勢に足しています。移動量はセンサ座標、姿勢はグローバル座標の量です。"
+                "その間をつなぐのは何でしょうか。",
             ),
         ),
         Mistake(
             turned_by_phi,
             Text(
-                "The displacement is turned by phi, the change of heading. The robot's axes are turned against the global ones by the heading theta itself.",
+                "The displacement is turned by phi, the change of heading. The robot's axes are turned against the global "
+                "ones by the heading theta itself.",
                 "移動量を、方位の変化量 phi だけ回転しています。ロボットの座標軸は、方位 theta そのものだけ傾いています。",
             ),
         ),
         Mistake(
             turned_by_new_heading,
             Text(
-                "The displacement is turned by the heading after the step. In overview 4 it is measured in the axes before the step: compute the matrix before theta changes.",
-                "移動量を、動いた後の方位で回転しています。概要 #4 では、移動量は動く前の座標で測ったものです。theta を更新する前に行列を計算しましょう。",
+                "The displacement is turned by the heading after the step. In overview 4 it is measured in the axes before "
+                "the step: compute the matrix before theta changes.",
+                "移動量を、動いた後の方位で回転しています。概要 #4 では、移動量は動く前の座標で測ったものです。"
+                "theta を更新する前に行列を計算しましょう。",
             ),
         ),
         Mistake(
             turned_by_middle_heading,
             Text(
-                "The displacement is turned by theta + phi/2. That is the midpoint rule, the next exercise but one; overview 4 uses the heading before the step.",
-                "移動量を theta + phi/2 だけ回転しています。これは中点則で、あとの課題で扱います。概要 #4 の式は動く前の方位を使います。",
+                "The displacement is turned by theta + phi/2. That is the midpoint rule, the next exercise but one; overview "
+                "4 uses the heading before the step.",
+                "移動量を theta + phi/2 だけ回転しています。これは中点則で、あとの課題で扱います。"
+                "概要 #4 の式は動く前の方位を使います。",
             ),
         ),
         Mistake(
             curved_path,
             Text(
-                "This follows a curved path on which the robot turns steadily. Overview 4 takes the displacement as a straight step in the axes before the step.",
-                "一定の割合で回りながら進む曲線の式になっています。概要 #4 では、移動量を、動く前の座標でのまっすぐな 1 歩として扱います。",
+                "This follows a curved path on which the robot turns steadily. Overview 4 takes the displacement as a "
+                "straight step in the axes before the step.",
+                "一定の割合で回りながら進む曲線の式になっています。"
+                "概要 #4 では、移動量を、動く前の座標でのまっすぐな 1 歩として扱います。",
             ),
         ),
         Mistake(
@@ -493,8 +524,8 @@ EXERCISE = Exercise(
         Mistake(
             position_forgotten,
             Text(
-                "The heading is right, but x and y of the start are missing.",
-                "方位は合っていますが、出発点の x, y が足されていません。",
+                "x and y of the start are missing: the motion is added to the old position.",
+                "出発点の x, y が足されていません。移動量は元の位置に足します。",
             ),
         ),
         Mistake(
@@ -507,56 +538,68 @@ EXERCISE = Exercise(
         Mistake(
             start_turned_too,
             Text(
-                "The start is turned as well: the matrix multiplies the sum. The start is in global axes already; mind the brackets.",
-                "出発点まで回転しています。足してから行列を掛けていませんか。出発点はもともとグローバル座標です。かっこの位置を見直しましょう。",
+                "The start is turned as well: the matrix multiplies the sum. The start is in global axes already; mind the "
+                "brackets.",
+                "出発点まで回転しています。足してから行列を掛けていませんか。出発点はもともとグローバル座標です。"
+                "かっこの位置を見直しましょう。",
             ),
         ),
         Mistake(
             start_turned_instead,
             Text(
-                "The matrix multiplies the start and leaves the displacement as it is. Which of the two is given in the sensor's axes?",
+                "The matrix multiplies the start and leaves the displacement as it is. Which of the two is given in the "
+                "sensor's axes?",
                 "行列を出発点の方に掛け、移動量はそのまま足しています。センサ座標で表されているのはどちらでしょうか。",
             ),
         ),
         Mistake(
             pose_turned_by_phi,
             Text(
-                "The start is turned by phi, and the displacement is added as it is. Both are mixed up: what is to be turned, and by which angle?",
-                "出発点を phi だけ回転し、移動量はそのまま足しています。何を、どの角度だけ回転するのか、概要 #4 の式で確かめましょう。",
+                "The start is turned by phi, and the displacement is added as it is. Both are mixed up: what is to be turned, "
+                "and by which angle?",
+                "出発点を phi だけ回転し、移動量はそのまま足しています。"
+                "何を、どの角度だけ回転するのか、概要 #4 の式で確かめましょう。",
             ),
         ),
         Mistake(
             multiplied_elementwise,
             Text(
-                "The matrix is multiplied entry by entry: * gives a (3, 3) array here. The product of a matrix and a vector is written @.",
+                "The matrix is multiplied entry by entry: * gives a (3, 3) array here. The product of a matrix and a vector "
+                "is written @.",
                 "行列を成分ごとに掛けています。* では (3, 3) の配列になります。行列とベクトルの積は @ で書きます。",
             ),
         ),
         Mistake(
             column_returned,
             Text(
-                "The result is a column, shape (3, 1). A pose has shape (3,): three numbers in a row, without inner brackets. .ravel() flattens a column.",
+                "The result is a column, shape (3, 1). A pose has shape (3,): three numbers in a row, without inner brackets. "
+                ".ravel() flattens a column.",
                 "結果が形状 (3, 1) の縦ベクトルになっています。姿勢の形状は (3,) です。.ravel() で 1 次元の配列になります。",
             ),
         ),
         Mistake(
             column_plus_row,
             Text(
-                "A column (3, 1) and a row (3,) were added, and NumPy made a (3, 3) table of all sums. Let both have the shape (3,).",
-                "縦ベクトル (3, 1) と (3,) の配列を足したため、NumPy がすべての組み合わせの和を (3, 3) に並べています。どちらも (3,) にそろえましょう。",
+                "A column (3, 1) and a row (3,) were added, and NumPy made a (3, 3) table of all sums. Let both have the "
+                "shape (3,).",
+                "縦ベクトル (3, 1) と (3,) の配列を足したため、NumPy がすべての組み合わせの和を (3, 3) に並べています。"
+                "どちらも (3,) にそろえましょう。",
             ),
         ),
         Mistake(
             whole_numbers_cut_off,
             Text(
-                "With a pose of whole numbers the decimals are cut off: a copy of an integer array holds integers only. Make it np.array(pose, dtype=float).",
-                "姿勢が整数で渡されると、小数部分が切り捨てられます。整数の配列をコピーすると整数しか入りません。np.array(pose, dtype=float) としましょう。",
+                "With a pose of whole numbers the decimals are cut off: a copy of an integer array holds integers only. Make "
+                "it np.array(pose, dtype=float).",
+                "姿勢が整数で渡されると、小数部分が切り捨てられます。整数の配列をコピーすると整数しか入りません。"
+                "np.array(pose, dtype=float) としましょう。",
             ),
         ),
         Mistake(
             rounded,
             Text(
-                "The result is rounded. Thousands of steps follow one another, and so do their rounding errors: round only for display.",
+                "The result is rounded. Thousands of steps follow one another, and so do their rounding errors: round only "
+                "for display.",
                 "結果が丸められています。何千歩も積み重なると丸め誤差も積み重なります。丸めるのは表示のときだけにしましょう。",
             ),
         ),

@@ -54,7 +54,11 @@ def cases(rng):
         Group(Text("turning on the spot", "その場旋回"), 1, [step(0, -1)]),
         Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [step(1, 1, rng.choice([-2, -1, 1, 2])), *across]),
         Group(Text("turns by more than half a turn", "半回転を超える旋回"), 1, wide),
-        Group(Text("lists and whole numbers", "リストや整数の入力"), 1, [until(whole, clear_of_zero), (pose.tolist(), distance, dtheta)]),
+        Group(
+            Text("lists and whole numbers", "リストや整数の入力"),
+            1,
+            [until(whole, clear_of_zero), (pose.tolist(), distance, dtheta)],
+        ),
     ]
 
 
@@ -341,8 +345,8 @@ EXERCISE = Exercise(
         Mistake(
             yaw_kept,
             Text(
-                "x and y are right, but the heading stays as it was. After the step the robot has made its whole turn.",
-                "x, y は合っていますが、方位が元のままです。1 歩のあと、ロボットは旋回を終えています。",
+                "The heading stays as it was. After the step the robot has made its whole turn.",
+                "方位が元のままです。1 歩のあと、ロボットは旋回を終えています。",
             ),
         ),
         Mistake(
@@ -355,22 +359,26 @@ EXERCISE = Exercise(
         Mistake(
             middle_heading_returned,
             Text(
-                "x and y are right, but the heading that comes back is the one half-way. It serves to move the robot only; at the end of the step the whole turn is made.",
-                "x, y は合っていますが、返している方位が途中(半分だけ回ったところ)のものです。これは移動の計算に使うだけで、1 歩の終わりには旋回をすべて終えています。",
+                "The heading that comes back is the one half-way. It serves to move the robot only; at the end of the step "
+                "the whole turn is made.",
+                "返している方位が途中(半分だけ回ったところ)のものです。"
+                "これは移動の計算に使うだけで、1 歩の終わりには旋回をすべて終えています。",
             ),
         ),
         Mistake(
             turn_added_to_the_middle,
             Text(
-                "x and y are right, but the heading has turned too far, by half of dtheta: dtheta was added to the heading half-way. Keep the two headings under different names.",
-                "x, y は合っていますが、方位が dtheta の半分だけ余計に回っています。途中の方位に dtheta を足しています。2 つの方位には別の名前を付けましょう。",
+                "The heading has turned too far, by half of dtheta: dtheta was added to the heading half-way. Keep the two "
+                "headings under different names.",
+                "方位が dtheta の半分だけ余計に回っています。途中の方位に dtheta を足しています。"
+                "2 つの方位には別の名前を付けましょう。",
             ),
         ),
         Mistake(
             turn_subtracted_at_the_end,
             Text(
-                "x and y are right, but dtheta is subtracted from the heading. Its sign already says to which side the robot turns.",
-                "x, y は合っていますが、方位から dtheta を引いています。回る向きは dtheta の符号が表しています。",
+                "dtheta is subtracted from the heading. Its sign already says to which side the robot turns.",
+                "方位から dtheta を引いています。回る向きは dtheta の符号が表しています。",
             ),
         ),
         Mistake(
@@ -383,8 +391,10 @@ EXERCISE = Exercise(
         Mistake(
             yaw_wrapped,
             Text(
-                "The heading is wrapped to -pi..pi. Here it goes on counting: wrap only for display, or the middle of two headings will jump.",
-                "方位が -π〜π に折り返されています。ここではそのまま数え続けます。折り返すのは表示のときだけにしないと、2 つの方位の真ん中が飛んでしまいます。",
+                "The heading is wrapped to -pi..pi. Here it goes on counting: wrap only for display, or the middle of two "
+                "headings will jump.",
+                "方位が -π〜π に折り返されています。ここではそのまま数え続けます。"
+                "折り返すのは表示のときだけにしないと、2 つの方位の真ん中が飛んでしまいます。",
             ),
         ),
         Mistake(
@@ -397,28 +407,34 @@ EXERCISE = Exercise(
         Mistake(
             old_heading_used,
             Text(
-                "The robot moves along the heading before the step. That is pose_step, the exercise before; here the heading half-way through the turn is to be used.",
-                "動く前の方位の向きに進んでいます。それは前の課題の pose_step です。ここでは、旋回の途中(ちょうど半分)の方位を使います。",
+                "The robot moves along the heading before the step. That is pose_step, the exercise before; here the heading "
+                "half-way through the turn is to be used.",
+                "動く前の方位の向きに進んでいます。それは前の課題の pose_step です。"
+                "ここでは、旋回の途中(ちょうど半分)の方位を使います。",
             ),
         ),
         Mistake(
             new_heading_used,
             Text(
-                "The robot moves along the heading after the step. The midpoint rule uses the one half-way between before and after.",
+                "The robot moves along the heading after the step. The midpoint rule uses the one half-way between before and "
+                "after.",
                 "動いた後の方位の向きに進んでいます。中点則で使うのは、前と後のちょうど真ん中の方位です。",
             ),
         ),
         Mistake(
             middle_beyond_the_new_heading,
             Text(
-                "The heading used is half a dtheta beyond the new one: theta was updated first, and the half added to it. Count from the old heading.",
-                "新しい方位より、さらに dtheta の半分だけ先の向きに進んでいます。先に theta を更新してから半分を足しています。元の方位から数えましょう。",
+                "The heading used is half a dtheta beyond the new one: theta was updated first, and the half added to it. "
+                "Count from the old heading.",
+                "新しい方位より、さらに dtheta の半分だけ先の向きに進んでいます。先に theta を更新してから半分を足しています。"
+                "元の方位から数えましょう。",
             ),
         ),
         Mistake(
             middle_on_the_other_side,
             Text(
-                "The half turn is taken to the wrong side, away from the new heading. The middle lies between the old heading and the new one.",
+                "The half turn is taken to the wrong side, away from the new heading. The middle lies between the old heading "
+                "and the new one.",
                 "半分の旋回が逆向きになっています。真ん中の方位は、元の方位と新しい方位の間にあるはずです。",
             ),
         ),
@@ -461,7 +477,8 @@ EXERCISE = Exercise(
             whole_division,
             Text(
                 "dtheta // 2 drops the decimals and rounds down, so that a small turn becomes 0 or -1. Divide with a single /.",
-                "dtheta // 2 では小数部分が切り捨てられ、小さな旋回が 0 や -1 になってしまいます。割り算は / を 1 つにしましょう。",
+                "dtheta // 2 では小数部分が切り捨てられ、小さな旋回が 0 や -1 になってしまいます。"
+                "割り算は / を 1 つにしましょう。",
             ),
         ),
         Mistake(
@@ -474,8 +491,10 @@ EXERCISE = Exercise(
         Mistake(
             mean_of_both_headings,
             Text(
-                "cos and sin of the headings before and after are averaged. That is another rule; the midpoint rule averages the headings first and takes cos and sin once.",
-                "動く前と後の cos, sin を平均しています。これは別の規則です。中点則では、先に方位の真ん中を求め、cos と sin は 1 回だけ計算します。",
+                "cos and sin of the headings before and after are averaged. That is another rule; the midpoint rule averages "
+                "the headings first and takes cos and sin once.",
+                "動く前と後の cos, sin を平均しています。これは別の規則です。"
+                "中点則では、先に方位の真ん中を求め、cos と sin は 1 回だけ計算します。",
             ),
         ),
         Mistake(
@@ -488,7 +507,8 @@ EXERCISE = Exercise(
         Mistake(
             two_half_steps,
             Text(
-                "The step is split into two half steps, one along the old heading, one along the heading half-way. The midpoint rule makes one whole step along the latter.",
+                "The step is split into two half steps, one along the old heading, one along the heading half-way. The "
+                "midpoint rule makes one whole step along the latter.",
                 "元の方位に半分、途中の方位に半分と、2 回に分けて進んでいます。中点則は、途中の方位の向きに 1 回で全部進みます。",
             ),
         ),
@@ -502,7 +522,8 @@ EXERCISE = Exercise(
         Mistake(
             half_the_way_along_the_old_heading,
             Text(
-                "The position is the one half-way, along the old heading. In the midpoint rule it is the turn that is halved, and the robot makes the whole way.",
+                "The position is the one half-way, along the old heading. In the midpoint rule it is the turn that is halved, "
+                "and the robot makes the whole way.",
                 "元の方位に半分だけ進んだ位置になっています。中点則で半分にするのは距離ではなく旋回量です。",
             ),
         ),
@@ -565,15 +586,16 @@ EXERCISE = Exercise(
         Mistake(
             start_forgotten,
             Text(
-                "This is the motion alone. The new pose is the old pose plus the motion: where did x, y and theta of the start go?",
+                "This is the motion alone. The new pose is the old pose plus the motion: where did x, y and theta of the "
+                "start go?",
                 "これは移動量だけです。新しい姿勢は「元の姿勢 + 移動量」です。出発点の x, y, theta はどこで足しますか。",
             ),
         ),
         Mistake(
             position_forgotten,
             Text(
-                "The heading is right, but x and y of the start are missing.",
-                "方位は合っていますが、出発点の x, y が足されていません。",
+                "x and y of the start are missing: the motion is added to the old position.",
+                "出発点の x, y が足されていません。移動量は元の位置に足します。",
             ),
         ),
         Mistake(
@@ -586,7 +608,8 @@ EXERCISE = Exercise(
         Mistake(
             clockwise,
             Text(
-                "dtheta is subtracted everywhere, so that the robot turns to the wrong side. A positive dtheta makes the heading grow.",
+                "dtheta is subtracted everywhere, so that the robot turns to the wrong side. A positive dtheta makes the "
+                "heading grow.",
                 "どこでも dtheta を引いているため、逆向きに回っています。dtheta が正なら方位は増えます。",
             ),
         ),
@@ -607,28 +630,35 @@ EXERCISE = Exercise(
         Mistake(
             middle_by_direction,
             Text(
-                "For turns by more than half a turn the robot moves the opposite way. The middle of two directions by atan2 lies on the short way round; take the middle of the headings as numbers.",
-                "半回転を超える旋回で、反対向きに進んでいます。atan2 で求めた「向きの真ん中」は近い側になります。方位を数として、その真ん中をとりましょう。",
+                "For turns by more than half a turn the robot moves the opposite way. The middle of two directions by atan2 "
+                "lies on the short way round; take the middle of the headings as numbers.",
+                "半回転を超える旋回で、反対向きに進んでいます。atan2 で求めた「向きの真ん中」は近い側になります。"
+                "方位を数として、その真ん中をとりましょう。",
             ),
         ),
         Mistake(
             middle_of_wrapped_headings,
             Text(
-                "When the turn passes pi, the robot moves the opposite way: the headings were wrapped before their middle was taken. The middle of 179 and -179 deg would be 0.",
-                "旋回が π をまたぐと反対向きに進んでいます。方位を折り返してから平均しています。これでは 179° と -179° の真ん中が 0° になってしまいます。",
+                "When the turn passes pi, the robot moves the opposite way: the headings were wrapped before their middle was "
+                "taken. The middle of 179 and -179 deg would be 0.",
+                "旋回が π をまたぐと反対向きに進んでいます。方位を折り返してから平均しています。"
+                "これでは 179° と -179° の真ん中が 0° になってしまいます。",
             ),
         ),
         Mistake(
             whole_numbers_cut_off,
             Text(
-                "With a pose of whole numbers the decimals are cut off: a copy of an integer array holds integers only. Make it np.array(pose, dtype=float).",
-                "姿勢が整数で渡されると、小数部分が切り捨てられます。整数の配列をコピーすると整数しか入りません。np.array(pose, dtype=float) としましょう。",
+                "With a pose of whole numbers the decimals are cut off: a copy of an integer array holds integers only. Make "
+                "it np.array(pose, dtype=float).",
+                "姿勢が整数で渡されると、小数部分が切り捨てられます。整数の配列をコピーすると整数しか入りません。"
+                "np.array(pose, dtype=float) としましょう。",
             ),
         ),
         Mistake(
             rounded,
             Text(
-                "The result is rounded. Thousands of steps follow one another, and so do their rounding errors: round only for display.",
+                "The result is rounded. Thousands of steps follow one another, and so do their rounding errors: round only "
+                "for display.",
                 "結果が丸められています。何千歩も積み重なると丸め誤差も積み重なります。丸めるのは表示のときだけにしましょう。",
             ),
         ),

@@ -255,22 +255,31 @@ EXERCISE = Exercise(
         Mistake(
             numbers_only,
             Text(
-                "With numbers your formula is right. With SymPy symbols it stops with a TypeError: something in it needs a number, such as a function of math or NumPy, float() or a comparison with <. SymPy brings its own cos and sin, which take symbols as well as numbers.",
-                "数値を入れたときの式は正しくできています。ただし SymPy の記号を入れると TypeError で止まります。math や NumPy の関数、float()、大小の比較など、数値でなければ計算できないものが使われているようです。SymPy にも cos と sin があり、記号にも数値にも使えます。",
+                "With SymPy symbols the function stops with a TypeError: something in it needs a number, such as a function "
+                "of math or NumPy, float() or a comparison with <. SymPy brings its own cos and sin, which take symbols as "
+                "well as numbers.",
+                "SymPy の記号を入れると TypeError で止まります。math や NumPy の関数、float()、大小の比較など、"
+                "数値でなければ計算できないものが使われているようです。"
+                "SymPy にも cos と sin があり、記号にも数値にも使えます。",
             ),
         ),
         Mistake(
             own_symbols,
             Text(
-                "Symbols are left in the result even when the function is called with numbers. Are the symbols made inside the function, so that its arguments are not used? Compute with the arguments x1, y1, theta1, u, v, phi themselves.",
-                "数値を渡しても、結果に記号が残っています。関数の中で記号を作り直していて、引数を使っていないのではありませんか。引数の x1, y1, theta1, u, v, phi をそのまま使って計算しましょう。",
+                "Symbols are left in the result even when the function is called with numbers. Are the symbols made inside "
+                "the function, so that its arguments are not used? Compute with the arguments x1, y1, theta1, u, v, phi "
+                "themselves.",
+                "数値を渡しても、結果に記号が残っています。関数の中で記号を作り直していて、"
+                "引数を使っていないのではありませんか。引数の x1, y1, theta1, u, v, phi をそのまま使って計算しましょう。",
             ),
         ),
         Mistake(
             equations_returned,
             Text(
-                "What comes back are three objects that are neither numbers nor expressions; equations such as Eq(x2, ...) look like that. Return the right-hand sides alone.",
-                "数値でも式でもないものが 3 つ返っています。Eq(x2, ...) のような等式を返していませんか。返すのは右辺の式だけです。",
+                "What comes back are three objects that are neither numbers nor expressions; equations such as Eq(x2, ...) "
+                "look like that. Return the right-hand sides alone.",
+                "数値でも式でもないものが 3 つ返っています。Eq(x2, ...) のような等式を返していませんか。"
+                "返すのは右辺の式だけです。",
             ),
         ),
         Mistake(
@@ -305,77 +314,94 @@ EXERCISE = Exercise(
             yaw_wrapped,
             Text(
                 "The heading is wrapped to -pi..pi. Here it goes on counting beyond half a turn: leave the sum as it is.",
-                "方位が -π〜π に折り返されています。ここでは半回転を超えてもそのまま数え続けます。和に手を加える必要はありません。",
+                "方位が -π〜π に折り返されています。ここでは半回転を超えてもそのまま数え続けます。"
+                "和に手を加える必要はありません。",
             ),
         ),
         Mistake(
             yaw_wrapped_to_positive,
             Text(
                 "The heading is wrapped to 0..2 pi. Here it may be negative or beyond one turn: leave the sum as it is.",
-                "方位が 0〜2π に折り返されています。ここでは負になっても 1 回転を超えてもかまいません。和に手を加える必要はありません。",
+                "方位が 0〜2π に折り返されています。ここでは負になっても 1 回転を超えてもかまいません。"
+                "和に手を加える必要はありません。",
             ),
         ),
         Mistake(
             plus_in_x,
             Text(
-                "In x the sideways part v has the wrong sign. Take a heading of 90 deg (pi/2): the sensor's left then points to which side of the x axis?",
-                "x の式で、横方向の移動量 v の符号が逆です。方位が π/2 のとき、センサの左側は x 軸の正と負、どちらを向いているでしょうか。",
+                "In x the sideways part v has the wrong sign. Take a heading of 90 deg (pi/2): the sensor's left then points "
+                "to which side of the x axis?",
+                "x の式で、横方向の移動量 v の符号が逆です。方位が π/2 のとき、センサの左側は x 軸の正と負、"
+                "どちらを向いているでしょうか。",
             ),
         ),
         Mistake(
             minus_in_y,
             Text(
-                "In y the sideways part v has the wrong sign. With a heading of 0 the sensor's axes and the global ones coincide: what must v do to y there?",
-                "y の式で、横方向の移動量 v の符号が逆です。方位 0 ではセンサの軸と全体の軸が重なります。そのとき v だけ動くと y はどう変わるでしょうか。",
+                "In y the sideways part v has the wrong sign. With a heading of 0 the sensor's axes and the global ones "
+                "coincide: what must v do to y there?",
+                "y の式で、横方向の移動量 v の符号が逆です。方位 0 ではセンサの軸と全体の軸が重なります。"
+                "そのとき v だけ動くと y はどう変わるでしょうか。",
             ),
         ),
         Mistake(
             left_taken_for_right,
             Text(
-                "v is taken to the right of the sensor, in x and in y. A positive v points to the left, 90 deg counter-clockwise from u.",
+                "v is taken to the right of the sensor, in x and in y. A positive v points to the left, 90 deg "
+                "counter-clockwise from u.",
                 "x でも y でも、v がセンサの右向きになっています。正の v は u から反時計回りに 90 度、つまり左向きです。",
             ),
         ),
         Mistake(
             rotated_backwards,
             Text(
-                "The displacement is turned the wrong way round: this is the matrix from global to sensor coordinates (the transpose). Which entry of the matrix in overview 4 carries the minus sign?",
-                "移動量を逆向きに回転しています。これはグローバル座標からセンサ座標へ移す行列(転置)です。概要 #4 の行列で、マイナスが付いているのはどの成分でしょうか。",
+                "The displacement is turned the wrong way round: this is the matrix from global to sensor coordinates (the "
+                "transpose). Which entry of the matrix in overview 4 carries the minus sign?",
+                "移動量を逆向きに回転しています。これはグローバル座標からセンサ座標へ移す行列(転置)です。"
+                "概要 #4 の行列で、マイナスが付いているのはどの成分でしょうか。",
             ),
         ),
         Mistake(
             sideways_ignored,
             Text(
-                "v has no effect. For a wheeled robot it is 0, but here the displacement has a sideways part too, and it shows in x and in y.",
-                "v が結果に入っていません。車輪型ロボットなら 0 ですが、ここでは横方向にも動きます。v は x にも y にも効いてきます。",
+                "v has no effect. For a wheeled robot it is 0, but here the displacement has a sideways part too, and it "
+                "shows in x and in y.",
+                "v が結果に入っていません。車輪型ロボットなら 0 ですが、ここでは横方向にも動きます。"
+                "v は x にも y にも効いてきます。",
             ),
         ),
         Mistake(
             sideways_left_out_of_x,
             Text(
-                "y is right, but x takes no notice of v. Once the sensor is turned, a sideways step changes x as well.",
-                "y は正しい値ですが、x の式に v が入っていません。センサが傾いた向きにあれば、横方向の移動は x も変えます。",
+                "x takes no notice of v. Once the sensor is turned, a sideways step changes x as well.",
+                "x の式に v が入っていません。センサが傾いた向きにあれば、横方向の移動は x も変えます。",
             ),
         ),
         Mistake(
             sideways_left_out_of_y,
             Text(
-                "x is right, but y takes no notice of v. Draw the sensor's two axes at a small heading: along which global axis does v mostly point?",
-                "x は正しい値ですが、y の式に v が入っていません。方位が小さいときのセンサの 2 つの軸を描いてみましょう。v はほぼどちらの軸に沿っていますか。",
+                "y takes no notice of v. Draw the sensor's two axes at a small heading: along which global axis does v mostly "
+                "point?",
+                "y の式に v が入っていません。方位が小さいときのセンサの 2 つの軸を描いてみましょう。"
+                "v はほぼどちらの軸に沿っていますか。",
             ),
         ),
         Mistake(
             only_along_own_axis,
             Text(
-                "x uses u alone and y uses v alone. Both u and v have a part along x and a part along y: write out both rows of the matrix product.",
-                "x には u だけ、y には v だけが使われています。u も v も、x 方向と y 方向の両方に成分を持ちます。行列の積を 2 行とも書き下してみましょう。",
+                "x uses u alone and y uses v alone. Both u and v have a part along x and a part along y: write out both rows "
+                "of the matrix product.",
+                "x には u だけ、y には v だけが使われています。u も v も、x 方向と y 方向の両方に成分を持ちます。"
+                "行列の積を 2 行とも書き下してみましょう。",
             ),
         ),
         Mistake(
             sideways_added_without_turning,
             Text(
-                "u is turned by the heading, but v is added to y as it is. v belongs to the sensor's axes as well, so it must be turned too.",
-                "u は方位に合わせて回転していますが、v はそのまま y に足されています。v もセンサ座標の量ですから、同じように回転が必要です。",
+                "u is turned by the heading, but v is added to y as it is. v belongs to the sensor's axes as well, so it must "
+                "be turned too.",
+                "u は方位に合わせて回転していますが、v はそのまま y に足されています。"
+                "v もセンサ座標の量ですから、同じように回転が必要です。",
             ),
         ),
         Mistake(
@@ -388,22 +414,27 @@ EXERCISE = Exercise(
         Mistake(
             length_along_the_heading,
             Text(
-                "The whole length sqrt(u^2 + v^2) is taken along the heading. Its direction is lost that way, and reversing too: turn u and v each by the heading.",
-                "長さ √(u²+v²) をまるごと方位の向きに進めています。これでは移動の向きも、後退の符号も失われます。u と v をそれぞれ方位に合わせて回転しましょう。",
+                "The whole length sqrt(u^2 + v^2) is taken along the heading. Its direction is lost that way, and reversing "
+                "too: turn u and v each by the heading.",
+                "長さ √(u²+v²) をまるごと方位の向きに進めています。これでは移動の向きも、後退の符号も失われます。"
+                "u と v をそれぞれ方位に合わせて回転しましょう。",
             ),
         ),
         Mistake(
             sin_cos_exchanged,
             Text(
                 "sin and cos are exchanged. At heading 0 nothing is to be turned: what must the factor of u in x be there?",
-                "sin と cos が入れ替わっています。方位 0 では回転しないはずです。そのとき x の式で u に掛かる係数はいくつになるべきでしょうか。",
+                "sin と cos が入れ替わっています。方位 0 では回転しないはずです。"
+                "そのとき x の式で u に掛かる係数はいくつになるべきでしょうか。",
             ),
         ),
         Mistake(
             x_and_y_exchanged,
             Text(
-                "What belongs to x is added to y, and the other way round. A heading of 0 looks along +x, so u must go to x there.",
-                "x に足す移動量と y に足す移動量が入れ替わっています。方位 0 は +x の向きですから、そのとき u は x に入るはずです。",
+                "What belongs to x is added to y, and the other way round. A heading of 0 looks along +x, so u must go to x "
+                "there.",
+                "x に足す移動量と y に足す移動量が入れ替わっています。"
+                "方位 0 は +x の向きですから、そのとき u は x に入るはずです。",
             ),
         ),
         Mistake(
@@ -416,43 +447,52 @@ EXERCISE = Exercise(
         Mistake(
             not_turned,
             Text(
-                "u and v are added to x and y without being turned. They are given in the sensor's axes; x and y belong to the global ones.",
+                "u and v are added to x and y without being turned. They are given in the sensor's axes; x and y belong to "
+                "the global ones.",
                 "u と v を、回転させずにそのまま x と y に足しています。u と v はセンサ座標、x と y はグローバル座標の量です。",
             ),
         ),
         Mistake(
             turned_by_phi,
             Text(
-                "The displacement is turned by phi, the change of heading. The sensor's axes are turned against the global ones by the heading itself.",
+                "The displacement is turned by phi, the change of heading. The sensor's axes are turned against the global "
+                "ones by the heading itself.",
                 "移動量を、方位の変化量 phi だけ回転しています。センサ座標とグローバル座標の傾きの差は、方位そのものです。",
             ),
         ),
         Mistake(
             turned_by_new_heading,
             Text(
-                "The displacement is turned by the heading after the step. In overview 4 it is given in the axes before the step.",
+                "The displacement is turned by the heading after the step. In overview 4 it is given in the axes before the "
+                "step.",
                 "移動量を、動いた後の方位で回転しています。概要 #4 では、移動量は動く前のセンサ座標で測ったものです。",
             ),
         ),
         Mistake(
             turned_by_middle_heading,
             Text(
-                "The displacement is turned by theta1 + phi/2. That is the midpoint rule, an exercise of its own; overview 4 uses the heading before the step.",
-                "移動量を theta1 + phi/2 だけ回転しています。これは中点則で、別の課題で扱います。概要 #4 の式は動く前の方位を使います。",
+                "The displacement is turned by theta1 + phi/2. That is the midpoint rule, an exercise of its own; overview 4 "
+                "uses the heading before the step.",
+                "移動量を theta1 + phi/2 だけ回転しています。これは中点則で、別の課題で扱います。"
+                "概要 #4 の式は動く前の方位を使います。",
             ),
         ),
         Mistake(
             heading_overwritten_before_y,
             Text(
-                "x uses the old heading but y the new one: theta1 is overwritten between the two lines. Work out the heading last.",
-                "x は古い方位、y は新しい方位で計算されています。2 つの行の間で theta1 が上書きされています。方位の計算は最後にしましょう。",
+                "x uses the old heading but y the new one: theta1 is overwritten between the two lines. Work out the heading "
+                "last.",
+                "x は古い方位、y は新しい方位で計算されています。2 つの行の間で theta1 が上書きされています。"
+                "方位の計算は最後にしましょう。",
             ),
         ),
         Mistake(
             degrees_in_cos,
             Text(
-                "theta1 is converted as if it were in degrees. It is in rad, and cos and sin of SymPy, NumPy and math all take rad.",
-                "theta1 を度とみなして変換しています。theta1 は rad です。SymPy、NumPy、math のどの cos, sin も rad を受け取ります。",
+                "theta1 is converted as if it were in degrees. It is in rad, and cos and sin of SymPy, NumPy and math all "
+                "take rad.",
+                "theta1 を度とみなして変換しています。theta1 は rad です。"
+                "SymPy、NumPy、math のどの cos, sin も rad を受け取ります。",
             ),
         ),
         Mistake(
@@ -465,8 +505,8 @@ EXERCISE = Exercise(
         Mistake(
             position_forgotten,
             Text(
-                "The heading is right, but x1 and y1 of the start are missing.",
-                "方位は合っていますが、出発点の x1, y1 が足されていません。",
+                "x1 and y1 of the start are missing: the turned displacement is added to the old position.",
+                "出発点の x1, y1 が足されていません。回転した移動量は元の位置に足します。",
             ),
         ),
         Mistake(
@@ -479,14 +519,17 @@ EXERCISE = Exercise(
         Mistake(
             start_turned_too,
             Text(
-                "The start x1, y1 is turned as well. It is in global coordinates already; only the displacement is in the sensor's: mind the brackets.",
-                "出発点の x1, y1 まで回転しています。出発点はもともとグローバル座標です。回転が必要なのは移動量だけですから、かっこの位置を見直しましょう。",
+                "The start x1, y1 is turned as well. It is in global coordinates already; only the displacement is in the "
+                "sensor's: mind the brackets.",
+                "出発点の x1, y1 まで回転しています。出発点はもともとグローバル座標です。"
+                "回転が必要なのは移動量だけですから、かっこの位置を見直しましょう。",
             ),
         ),
         Mistake(
             start_turned_instead,
             Text(
-                "The start is turned and the displacement is not. It should be the other way round: which of the two is in the sensor's axes?",
+                "The start is turned and the displacement is not. It should be the other way round: which of the two is in "
+                "the sensor's axes?",
                 "出発点の方を回転し、移動量はそのまま足しています。センサ座標で表されているのはどちらでしょうか。",
             ),
         ),
@@ -494,7 +537,8 @@ EXERCISE = Exercise(
             rounded,
             Text(
                 "The result is rounded. A formula is to be exact, and symbols cannot be rounded at all: round only for display.",
-                "結果が丸められています。式は厳密でなければなりませんし、記号は丸めることができません。丸めるのは表示のときだけにしましょう。",
+                "結果が丸められています。式は厳密でなければなりませんし、記号は丸めることができません。"
+                "丸めるのは表示のときだけにしましょう。",
             ),
         ),
         Mistake(
