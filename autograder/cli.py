@@ -21,7 +21,8 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 console = Console(stderr=True)
-output = Console()
+# a pipe or a file has no width of its own
+output = Console(width=None if sys.stdout.isatty() else 140)
 
 Root = Annotated[
     Path, typer.Option("--root", help="The root of the course, where source/ and release/ are.", show_default="here")
@@ -111,8 +112,8 @@ def demo(
     no_sandbox: NoSandbox = False,
 ) -> None:
     """Make a sample class of 12 with known mistakes in build/demo/, grade it, and compare with what each should get."""
-    from autograder.gradebook import given_scores
     from autograder.engine import MissingReleaseError, release_notebooks
+    from autograder.gradebook import given_scores
     from autograder.sample import ASSIGNMENT, LIMITS, compared_rows, make_class
 
     try:
@@ -131,10 +132,8 @@ def demo(
     output.print(table)
     wrong = sum(not row.agrees for row in rows)
     if wrong:
-        _fail(f"{wrong} of {len(rows)} results are not what was expected.")
-    output.print(
-        f"[green]All {len(results)} results are as expected[/]; the table shows the {len(rows)} that are not simply right."
-    )
+        _fail(f"{wrong} of {len(results)} results are not what was expected.")
+    output.print(f"[green]All {len(results)} results are as expected[/]; the table shows those that are not simply right.")
 
 
 def grade_class(  # noqa: PLR0913 - the options of the command

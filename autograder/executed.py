@@ -6,6 +6,7 @@ nbgrader's pages show Markdown, comments included, with its HTML and any link, a
 import base64
 import io
 import re
+import secrets
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -35,7 +36,7 @@ _MAY_ACT = re.compile(r"<[A-Za-z/!?]|\]\s*[(:\[]|mermaid")
 # where a space, which means nothing in a formula, keeps it from being read as a tag or a link
 _LIKE_TAG_OR_LINK = re.compile(r"<(?=[A-Za-z/!?])|\](?=[(:\[])")
 _ACTING_MACRO = re.compile(r"\\(href|url|require|class|cssId|style|data|mmlToken)(?![A-Za-z])")
-_MARKDOWN_MARK = re.compile(r"[\\`<\[$&~]|\*(?=\S)|(?<=\S)\*|_(?!\w)|(?<![A-Za-z0-9])_")
+_MARKDOWN_MARK = re.compile(r"[\\`<\[$&~]|:(?=//)|\*(?=\S)|(?<=\S)\*|_(?!\w)|(?<![A-Za-z0-9])_")
 
 
 @dataclass
@@ -115,10 +116,9 @@ def safe_markdown(source: str) -> str:
         return text
     if len(text) > MAX_MARKDOWN:
         return f"<pre>{escape(text).replace('[', '&#91;')}</pre>"
-    # formulas pass by the sanitiser, which would write & as &amp;: what reads a formula afterwards does not undo that
-    mark = "formula"
-    while mark in text:
-        mark += "a"
+    # formulas pass by the sanitiser, which would write & as &amp;: what reads a formula afterwards does not undo that. Nobody can
+    # guess what stands for them meanwhile, or they could be had into an attribute.
+    mark = secrets.token_hex(8)
     formulas: list[str] = []
     parser = MarkdownIt("commonmark", {"html": True}).enable("table")
     parser.use(dollarmath_plugin, allow_labels=False, double_inline=True).use(amsmath_plugin)
@@ -127,7 +127,7 @@ def safe_markdown(source: str) -> str:
     html = nh3.clean(parser.render(text), tags=nh3.ALLOWED_TAGS - {"img"}, url_schemes={"http", "https", "mailto"})
     # the page reads this as Markdown once more: no link must come to life in it
     html = html.replace("[", "&#91;")
-    return re.sub(rf"{mark}(\d+)z", lambda found: formulas[int(found.group(1))], html)
+    return re.sub(rf"x{mark}x(\d+)x", lambda found: formulas[int(found.group(1))], html)
 
 
 def as_markdown(text: str) -> str:
@@ -142,7 +142,7 @@ def _put_aside(formulas: list[str], mark: str, around: str) -> Callable[..., str
     def rendered(renderer: object, tokens: Sequence[Any], index: int, *_: object) -> str:
         inert = _LIKE_TAG_OR_LINK.sub(r"\g<0> ", tokens[index].content)
         formulas.append(f"{around}{inert}{around}")
-        return f"{mark}{len(formulas) - 1}z" + ("\n" if tokens[index].block else "")
+        return f"x{mark}x{len(formulas) - 1}x" + ("\n" if tokens[index].block else "")
 
     return rendered
 

@@ -105,8 +105,8 @@ def restored_cells(release: Sequence[Cell], submitted: Sequence[Cell]) -> list[C
             kept.append(Cell(cell.type, cell.source))
         else:
             kept.append(Cell(ours.type, cell.source, ours.grade_id, graded=ours.graded))
-    written = [cell for cell in release if cell.graded and not cell.locked and cell.grade_id not in counts]
-    return [*_with_checks(release, kept, checks_at), *written]
+    kept += [cell for cell in release if cell.graded and not cell.locked and cell.grade_id not in counts]
+    return _with_checks(release, kept, checks_at)
 
 
 def _counted(submitted: Sequence[Cell]) -> dict[str, int]:

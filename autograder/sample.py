@@ -22,6 +22,8 @@ LIMITS = Limits(cell=20.0, check=4.0)
 #: instead of a misconception's slug: the stub as it came, an answer that never ends, one that prints instead of returning,
 #: one that leaves its process
 STUB, ENDLESS, PRINTS, EXITS = "untouched stub", "endless loop", "prints", "exits"
+#: a right answer that calls a wrong one
+INHERITS = "right, on a wrong one"
 #: what becomes of an answer that comes after one that leaves its process: there is nobody left to ask
 UNREACHED = "after the exit"
 #: what is handed in instead of a notebook
@@ -36,10 +38,14 @@ _ODD_ANSWERS = {
 
 @dataclass(frozen=True)
 class SampleStudent:
-    """One student of the sample class: the edition, the wrong answers by exercise, and notebooks that are odd as a whole."""
+    """One student of the sample class: the edition, the wrong answers by exercise, and notebooks that are odd as a whole.
+
+    `inherits` names the mistakes that right answers have from the wrong ones that they call.
+    """
 
     language: str
     wrong: Mapping[str, str] = field(default_factory=dict)
+    inherits: Mapping[str, str] = field(default_factory=dict)
     odd: Mapping[str, str] = field(default_factory=dict)
     writes: bool = True
 
@@ -47,13 +53,20 @@ class SampleStudent:
 STUDENTS: dict[str, SampleStudent] = {
     "s01-akari": SampleStudent("ja"),
     "s02-ben": SampleStudent("en"),
-    "s03-chie": SampleStudent("ja", {"pose_step": "sin_cos_exchanged", "wheel_angle": "gear_forgotten"}),
+    "s03-chie": SampleStudent(
+        "ja",
+        {"pose_step": "sin_cos_exchanged", "wheel_angle": "gear_forgotten"},
+        inherits={"dead_reckoning": "sin_cos_exchanged", "wheel_speed": "gear_forgotten"},
+    ),
     "s04-dan": SampleStudent(
-        "en", {"pose_step": "new_heading_used", "body_velocity": "half_missing", "count_increments": "wrap_ignored"}
+        "en",
+        {"pose_step": "new_heading_used", "body_velocity": "half_missing", "count_increments": "wrap_ignored"},
+        inherits={"dead_reckoning": "new_heading_used"},
     ),
     "s05-emi": SampleStudent(
         "ja",
-        {"planar_rotation": "transposed", "pose_step_matrix": "sideways_ignored", "body_velocity_matrix": "radii_exchanged"},
+        {"planar_rotation": "transposed", "body_velocity_matrix": "radii_exchanged"},
+        inherits={"pose_step_matrix": "rotated_backwards"},
     ),
     "s06-finn": SampleStudent(
         "en", {"displacement": "dt_forgotten", "pose_step_arc": STUB, "wheel_signs": "straight_part_decides"}
@@ -61,8 +74,12 @@ STUDENTS: dict[str, SampleStudent] = {
     "s07-goro": SampleStudent(
         "ja", {"displacement": PRINTS, "dead_reckoning": "heading_one_step_late", "wheel_speed": "mean_time_step"}
     ),
-    "s08-holly": SampleStudent("en", {"quadrature_count": "direction_lost", "distance_per_count": ENDLESS}),
-    "s09-ichiro": SampleStudent("ja", {"pose_step_midpoint": EXITS, "speed_resolution": "two_pi_forgotten"}),
+    "s08-holly": SampleStudent("en", {"quadrature_count": "direction_lost", "speed_resolution": ENDLESS}),
+    "s09-ichiro": SampleStudent(
+        "ja",
+        {"pose_step_midpoint": EXITS, "distance_per_count": "two_pi_forgotten"},
+        inherits={"speed_resolution": "two_pi_forgotten"},
+    ),
     "s10-jack": SampleStudent("en", {"q1_symbolic": "plus_in_x"}, odd={"encoders": NOTHING}),
     "s11-kei": SampleStudent("ja", {"wheel_signs": "icart_assumed"}, odd={"pose_update": BROKEN}),
     "s12-lena": SampleStudent("en", {"pose_step_arc": "divided_by_zero", "dead_reckoning": "last_step_not_taken"}, writes=False),
@@ -108,9 +125,9 @@ def expected_results() -> dict[tuple[str, str], Expected]:
             odd = plan.odd.get(name)
             exited = False
             for exercise in NOTEBOOKS[f"{ASSIGNMENT}/{name}"]:
-                expected[student, exercise] = _expected(
-                    exercise, plan.wrong.get(exercise), odd or (UNREACHED if exited else None)
-                )
+                wrong = plan.wrong.get(exercise) or plan.inherits.get(exercise)
+                wanted = _expected(exercise, wrong, odd or (UNREACHED if exited else None))
+                expected[student, exercise] = wanted._replace(handed_in=INHERITS) if exercise in plan.inherits else wanted
                 exited = exited or plan.wrong.get(exercise) == EXITS
             for exercise in WRITTEN.get(f"{ASSIGNMENT}/{name}", ()):
                 by_hand = plan.writes and odd is None
@@ -123,17 +140,19 @@ def expected_results() -> dict[tuple[str, str], Expected]:
 def compared_rows(given: Mapping[tuple[str, str], tuple[float | None, str | None]]) -> list[Row]:
     """Compare `given` (points and misconception by student and exercise) with what is expected.
 
-    Answers that are simply right, and were given full points, are left out.
+    Answers that are simply right, and were given full points, are left out; a notebook without any answer is one row.
     """
-    rows = []
+    rows: dict[tuple[str, str], Row] = {}
     for (student, exercise), wanted in expected_results().items():
         points, misconception = given.get((student, exercise), (None, "no such result"))
         agrees = points == wanted.points and misconception == wanted.misconception
         if agrees and wanted.handed_in == "right":
             continue
-        shown = (student, STUDENTS[student].language, exercise, wanted.handed_in, _points(wanted.points), _points(points))
-        rows.append(Row((*shown, misconception or "-"), agrees))
-    return rows
+        notebook = next((name for name, odd in STUDENTS[student].odd.items() if odd == wanted.handed_in), None)
+        what = f"all of {notebook}" if notebook and agrees else exercise
+        shown = (student, STUDENTS[student].language, what, wanted.handed_in, _points(wanted.points), _points(points))
+        rows[student, what] = Row((*shown, misconception or "-"), agrees)
+    return list(rows.values())
 
 
 def _points(points: float | None) -> str:

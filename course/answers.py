@@ -33,6 +33,8 @@ MAX_MESSAGE = 500
 MAX_WARNINGS = 5
 TIME_LIMIT = 20.0
 
+#: reads an exception's true traceback, whatever its class makes of attributes
+_TRACEBACK = BaseException.__dict__["__traceback__"]
 _OWN_CODE = (str(Path(__file__).resolve().parent), sysconfig.get_path("stdlib"), sysconfig.get_path("purelib"))
 
 
@@ -250,7 +252,7 @@ def _called(answer: Any, given: Sequence[object]) -> tuple[object, Trouble | Non
 def _trouble(error: BaseException) -> Trouble:
     bases = [(class_name(base), base) for base in type.mro(type(error))]
     builtin = next((name for name, base in bases if getattr(builtins, name, None) is base), "Exception")
-    line, number, function = _own_line(error.__traceback__)
+    line, number, function = _own_line(_TRACEBACK.__get__(error))
     return Trouble(type_name(error), builtin, plain_text(error, MAX_MESSAGE), line, number, function)
 
 

@@ -90,12 +90,12 @@ def _controls(draw: Callable[..., Picture], sliders: tuple[Slider, ...], first: 
     """Return a box of sliders above an image that follows them."""
     import ipywidgets as widgets  # late, because it is slow to import
 
-    image = widgets.Image(value=first.png, tooltip=first.alt, layout={"width": f"{first.width}px", "max_width": "100%"})
+    # not an Image widget: it has no alternative text, and given a tooltip it fails in JupyterLab
+    image = widgets.HTML(value=first.html)
     bars = [_bar(widgets, slider) for slider in sliders]
 
     def redraw(_: object) -> None:
-        picture = draw(*(bar.value for bar in bars))
-        image.value, image.tooltip = picture.png, picture.alt
+        image.value = draw(*(bar.value for bar in bars)).html
 
     for bar in bars:
         bar.observe(redraw, names="value")

@@ -11,10 +11,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 ROOT = Path(__file__).resolve().parents[2]
 TOKEN = "browser-test"  # a server of the test's own, on this machine only
+expect.set_options(timeout=60_000)
 _QUIET = "--disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync --disable-gpu"
 
 

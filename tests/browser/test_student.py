@@ -14,10 +14,10 @@ RIGHT = WRONG.replace("np.sin", "np.COS").replace("np.cos", "np.sin").replace("n
 
 
 def open_notebook(page: Page, address: str, path: str) -> None:
-    page.goto(f"{address}/lab/tree/{path}?token={TOKEN}")
+    # a workspace of its own: otherwise JupyterLab opens what the last page had open
+    page.goto(f"{address}/lab/workspaces/{path.partition('/')[0]}/tree/{path}?token={TOKEN}&reset")
     page.wait_for_selector(".jp-Notebook .jp-Cell")
     page.wait_for_function("window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.status === 'idle'")
-    page.evaluate("jupyterapp.commands.execute('apputils:dismiss-all-notifications').catch(() => {})")
 
 
 def run_all(page: Page) -> None:
@@ -82,3 +82,34 @@ def test_answer_turns_the_check_green(page, lab, language, failed, passed, told)
     run_cell(page)
     expect(page.locator(".check-passed").first).to_contain_text(passed)
     assert page.locator(".jp-Cell.jp-mod-active .jp-RenderedText[data-mime-type*='stderr']").count() == 0
+
+
+@pytest.mark.parametrize(
+    ("path", "view"),
+    [("en/odometry/pose_update.ipynb", "step_view()"), ("ja/odometry/encoders.ipynb", "wheels_view()")],
+)
+def test_sliders_redraw_the_picture(page, lab, path, view):
+    open_notebook(page, lab, path)
+    for start in ("from course.", view):
+        select_cell(page, start)
+        run_cell(page)
+    picture = page.locator(".jupyter-widgets img[alt]").first
+    expect(picture).to_be_visible()
+    before = picture.get_attribute("src")
+    slider = page.locator(".widget-slider .noUi-handle").first
+    slider.focus()
+    slider.press("ArrowLeft")
+    page.wait_for_function("before => document.querySelector('.jupyter-widgets img[alt]').src !== before", arg=before)
+    assert page.locator(".jupyter-widgets-error-widget").count() == 0
+
+
+def test_animation_plays(page, lab):
+    open_notebook(page, lab, "en/odometry/encoders.ipynb")
+    for start in ("from course.", "encoder_animation()"):
+        select_cell(page, start)
+        run_cell(page)
+    frame = page.locator(".animation img").first
+    expect(frame).to_be_visible()
+    before = frame.get_attribute("src")
+    page.locator(".anim-buttons button", has_text="▷").first.click()
+    page.wait_for_function("before => document.querySelector('.animation img').src !== before", arg=before)

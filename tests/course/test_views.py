@@ -53,12 +53,12 @@ def test_sliders_redraw_the_image_and_the_picture_stays_for_static_pages(view: C
     bundle = shown._repr_mimebundle_()
     assert {WIDGET, "text/html", "text/plain"} == set(bundle)
     *sliders, image = shown.controls.children
-    assert bytes(image.value) == shown.picture.png
+    assert image.value == shown.picture.html
     for slider in sliders:
-        before, alt = bytes(image.value), image.tooltip
+        before = image.value
         slider.value = slider.min
-        assert bytes(image.value) != before
-        assert image.tooltip != alt
+        assert image.value != before
+        assert "alt=" in image.value
         assert re.search(r"\[(m|deg|m/s)\]", slider.description)
         assert bool(KANA_OR_KANJI.search(slider.description)) is (chosen == "ja")
 

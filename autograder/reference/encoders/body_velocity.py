@@ -38,9 +38,12 @@ def cases(rng):
         return float(right), float(left), tread(k)
 
     def mixed(size):
+        """Return motions of all kinds; where there are several, one of them is nearly straight."""
         kinds = rng.permutation(["left", "right", "backwards", "left wheel back", "right wheel back", "backwards the other way"])
-        drawn = [speeds(kind) for kind in kinds[:size]]
-        return np.array([right for right, _ in drawn]), np.array([left for _, left in drawn])
+        right, left = np.transpose([speeds(kind) for kind in kinds[:size]])
+        if size > 1:
+            left[-1] = right[-1] + rng.choice([-1.0, 1.0]) * rng.uniform(0.01, 0.03)
+        return right, left
 
     def whole():
         right, left = rng.integers(-6, 7, 2).tolist()

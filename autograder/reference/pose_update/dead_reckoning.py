@@ -1029,9 +1029,9 @@ EXERCISE = Exercise(
         Mistake(
             arrays_only,
             Text(
-                "With lists the function stops with a TypeError: a list cannot be multiplied like an array. Turn the inputs "
+                "With lists the function stops with a TypeError: a list cannot be computed with as an array can. Turn the inputs "
                 "into arrays first, np.asarray(..., dtype=float).",
-                "リストを渡すと TypeError で止まります。リストは配列のように掛け算できません。"
+                "リストを渡すと TypeError で止まります。リストは配列のようには計算できません。"
                 "最初に np.asarray(..., dtype=float) で配列にしましょう。",
             ),
         ),

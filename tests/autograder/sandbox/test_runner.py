@@ -1,0 +1,102 @@
+import os
+import resource
+import socket
+import subprocess
+import sys
+
+import pytest
+
+from autograder.sandbox.wire import receive, send, unpacked_interview
+from autograder.session import ROOT
+from course.answers import Missing, Question
+
+
+def test_an_answer_is_asked_with_what_it_is_given(session):
+    session.run("def area(width, height):\n    return width * height")
+    talk = session.ask("area", [Question((2.0, 3.0)), Question((1.5, 4.0))])
+    assert [reply.value for reply in talk.replies] == [6.0, 6.0]
+
+
+MISSING = [
+    ("", "undefined", ""),
+    ("def outer():\n    def missing_one(): pass", "nested", "outer"),
+    ("%matplotlib inline\ndef outer():\n    def missing_one(): pass", "nested", "outer"),
+    ("def missing_one(:\n    pass", "syntax", ""),
+    ("def missing_onee(): pass", "similar", "missing_onee"),
+]
+
+
+@pytest.mark.parametrize(("source", "reason", "where"), MISSING)
+def test_why_an_answer_is_missing(session, source, reason, where):
+    session.run("%reset -f")
+    session.run("missing_onee = None")
+    session.run(source)
+    missing = session.ask("missing_one", [Question(())]).missing
+    assert (missing.reason, missing.where) == (reason, where)
+    # names that stay would be found the next time
+    session.run("missing_onee = None\ndef missing_one_forgotten(): pass")
+
+
+def test_a_notebook_may_use_ipythons_own_names(session):
+    session.run("In = 5; Out = 6; get_ipython = 7; display = 8; exit = 9")
+    assert session.ask("missing_two", [Question(())]).missing == Missing("undefined")
+
+
+def test_an_answer_that_never_ends_is_interrupted_and_the_others_are_asked(session):
+    session.run("def endless():\n    while True: pass\ndef right(): return 1")
+    [reply] = session.ask("endless", [Question(()), Question(())]).replies
+    assert reply.trouble.type == "TimeUp"
+    assert session.ask("right", [Question(())]).replies[0].value == 1
+
+
+@pytest.mark.parametrize("leave", ["import sys; sys.exit(0)", "raise SystemExit", "raise KeyboardInterrupt", "quit()"])
+def test_leaving_politely_is_a_trouble_like_any_other(session, leave):
+    session.run(f"def leaver():\n    {leave}\n    return 1")
+    [reply] = session.ask("leaver", [Question(())]).replies
+    assert reply.trouble is not None or reply.value == 1
+
+
+def test_a_value_that_is_no_function(session):
+    session.run("number = 5")
+    assert session.ask("number", [Question(())]).kind == "int"
+
+
+def test_an_axes_comes_as_a_summary(session):
+    session.run("import matplotlib.pyplot as plt\nfig, graph = plt.subplots()\ngraph.plot([0, 1], [2, 3], label='path');")
+    figure = session.ask("graph", []).figure
+    assert figure["lines"][0]["xy"].tolist() == [[0, 2], [1, 3]]
+    assert figure["lines"][0]["label"] == "path"
+
+
+# the process
+
+
+def started(theirs, *limits):
+    return subprocess.Popen(
+        [sys.executable, "-P", "-m", "autograder.sandbox.runner", str(theirs.fileno()), "0", *map(str, limits)],
+        pass_fds=[theirs.fileno()],
+        env={"PATH": os.environ["PATH"], "PYTHONPATH": str(ROOT), "MPLBACKEND": "Agg", "OPENBLAS_NUM_THREADS": "1"},
+        stderr=subprocess.PIPE,
+    )
+
+
+def test_it_keeps_to_its_limits_answers_by_number_and_ends_with_its_master():
+    ours, theirs = socket.socketpair()
+    with theirs:
+        process = started(theirs, 2048, 77, 4000)
+    with process, ours, ours.makefile("rwb") as stream:
+        assert receive(stream.read) == {"id": 0, "ready": True}
+        limits = {
+            resource.RLIMIT_AS: 2048 * 2**20,
+            resource.RLIMIT_CPU: 77,
+            resource.RLIMIT_NPROC: 4000,
+            resource.RLIMIT_CORE: 0,
+            resource.RLIMIT_FSIZE: 64 * 2**20,
+        }
+        assert {kind: resource.prlimit(process.pid, kind)[1] for kind in limits} == limits
+        send(stream, {"id": 17, "do": "run", "source": "print('a')", "seconds": 5.0})
+        assert receive(stream.read) == {"id": 17, "outputs": [{"output_type": "stream", "name": "stdout", "text": "a\n"}]}
+        send(stream, {"id": 18, "do": "ask", "name": "nothing", "questions": [], "seconds": 5.0})
+        assert unpacked_interview(receive(stream.read)["interview"]).missing == Missing("undefined")
+        ours.shutdown(socket.SHUT_WR)
+        assert process.wait(30) == 0
