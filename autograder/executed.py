@@ -5,6 +5,7 @@ nbgrader's pages show Markdown, comments included, with its HTML and any link, a
 
 import base64
 import io
+import json
 import re
 import secrets
 import warnings
@@ -13,12 +14,10 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-import nbformat
 import nh3
 from markdown_it import MarkdownIt
 from mdit_py_plugins.amsmath import amsmath_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
-from nbformat.v4 import new_code_cell, new_markdown_cell, new_output, new_raw_cell
 from PIL import Image
 
 from autograder.intake import Cell
@@ -52,21 +51,18 @@ def executed_notebook(release: bytes, cells: Sequence[Cell], outputs: Sequence[S
 
     `outputs` holds the clean outputs (`clean_outputs`) of each cell.
     """
-    ours = nbformat.reads(release.decode(), as_version=4)
-    by_id = {cell.metadata["nbgrader"]["grade_id"]: cell for cell in ours.cells if "nbgrader" in cell.metadata}
-    prose = frozenset(cell.source for cell in ours.cells if cell.cell_type == "markdown")
+    ours = json.loads(release)
+    by_id = {cell["metadata"]["nbgrader"]["grade_id"]: cell for cell in ours["cells"] if "nbgrader" in cell["metadata"]}
+    prose = frozenset("".join(cell["source"]) for cell in ours["cells"] if cell["cell_type"] == "markdown")
     made = []
     for index, cell in enumerate(cells):
         entry = _made_cell(cell, prose, outputs[index] if index < len(outputs) else [])
-        entry["id"] = f"cell-{index}"
         template = by_id.get(cell.grade_id) if cell.grade_id is not None else None
-        if template is not None:
-            entry.metadata["nbgrader"] = template.metadata["nbgrader"]
-            entry["id"] = template.id
-        made.append(entry)
-    ours.cells = made
-    text: str = nbformat.writes(ours)
-    return text.encode()
+        if template is None:
+            made.append({"id": f"cell-{index}", "metadata": {}, **entry})
+        else:
+            made.append({"id": template["id"], "metadata": {"nbgrader": template["metadata"]["nbgrader"]}, **entry})
+    return json.dumps(ours | {"cells": made}, ensure_ascii=False, indent=1).encode()
 
 
 def verdict_output(verdict: Verdict, language: str) -> dict[str, Any]:
@@ -77,13 +73,13 @@ def verdict_output(verdict: Verdict, language: str) -> dict[str, Any]:
     return {"output_type": "error", "ename": "CheckFailed", "evalue": verdict.headline(language), "traceback": text.splitlines()}
 
 
-def clean_outputs(outputs: Sequence[Any], room: Room) -> list[Any]:
+def clean_outputs(outputs: Sequence[Any], room: Room) -> list[dict[str, Any]]:
     """Return the outputs of one cell as `clean_output` makes them, as long as there is room; what they fill is taken from it."""
     shown = (clean_output(output, room) for output in outputs)
     return [output for output in shown if output is not None]
 
 
-def clean_output(output: Any, room: Room | None = None) -> Any | None:
+def clean_output(output: Any, room: Room | None = None) -> dict[str, Any] | None:
     """Return one output with only what is safe to show: text, and pictures drawn anew; None if nothing is left."""
     room = room or Room()
     if not isinstance(output, dict):
@@ -93,14 +89,14 @@ def clean_output(output: Any, room: Room | None = None) -> Any | None:
         return None
     match kind, output:
         case "stream", {"name": str(name), "text": str(text)} if name in ("stdout", "stderr"):
-            return new_output("stream", name=name, text=_fitted(text, room))
+            return {"output_type": kind, "name": name, "text": _fitted(text, room)}
         case "error", {"ename": str(name), "evalue": str(value), "traceback": list(lines)}:
             trace = [_fitted(line, room) for line in lines[:100] if isinstance(line, str)]
-            return new_output("error", ename=_fitted(name, room), evalue=_fitted(value, room), traceback=trace)
+            return {"output_type": kind, "ename": _fitted(name, room), "evalue": _fitted(value, room), "traceback": trace}
         case (("display_data" | "execute_result"), {"data": dict(data)}):
             clean = _clean_data(data, room)
             extra = {"execution_count": None} if kind == "execute_result" else {}
-            return new_output(kind, data=clean, **extra) if clean else None
+            return {"output_type": kind, "data": clean, "metadata": {}, **extra} if clean else None
     return None
 
 
@@ -188,10 +184,10 @@ def _redrawn(picture: str, room: Room) -> str | None:
     return base64.b64encode(file.getvalue()).decode()
 
 
-def _made_cell(cell: Cell, prose: frozenset[str], outputs: Sequence[Any]) -> Any:
+def _made_cell(cell: Cell, prose: frozenset[str], outputs: Sequence[Any]) -> dict[str, Any]:
     if cell.type == "code":
-        return new_code_cell(visible(cell.source), outputs=list(outputs))
+        return {"cell_type": "code", "source": visible(cell.source), "execution_count": None, "outputs": list(outputs)}
     if cell.type == "markdown":
         # the course's own prose is safe as it is
-        return new_markdown_cell(cell.source if cell.source in prose else safe_markdown(cell.source))
-    return new_raw_cell(_without_acting_macros(visible(cell.source)))
+        return {"cell_type": "markdown", "source": cell.source if cell.source in prose else safe_markdown(cell.source)}
+    return {"cell_type": "raw", "source": _without_acting_macros(visible(cell.source))}

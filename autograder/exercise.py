@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from course.answers import Question, reply_to
+from course.answers import Question, Reply, reply_to
 from course.ladder import Answered
 from course.language import Text
 from course.plain import Plain
@@ -40,7 +41,7 @@ class Mistake(NamedTuple):
         return self.wrong.__name__
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Exercise:
     """One graded exercise.
 
@@ -125,7 +126,7 @@ class GraphFault(NamedTuple):
     text: Text
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Trial:
     """One drawing of an exercise's cases: the groups, the questions in order, and the index of each question's group."""
 
@@ -140,6 +141,8 @@ class Trial:
         return weights / weights.sum()
 
 
+# a few are kept: whoever tries many answers with one seed draws once
+@lru_cache(maxsize=8)
 def trial(exercise: Exercise, seed: int) -> Trial:
     """Draw the cases of `exercise` from `seed`."""
     groups = tuple(exercise.cases(np.random.default_rng(seed)))
@@ -165,6 +168,18 @@ def right_value(rule: Callable[..., Any], question: Question) -> Plain:
     if reply.trouble is not None:
         raise RuntimeError(f"{rule.__module__}.{rule.__name__} raised {reply.trouble.type}: {reply.trouble.message}")
     return reply.value
+
+
+@lru_cache(maxsize=32)
+def right_values(rule: Callable[..., Any], drawn: Trial) -> tuple[Plain, ...]:
+    """Return what a right rule gives for each question of a trial."""
+    return tuple(right_value(rule, question) for question in drawn.questions)
+
+
+@lru_cache(maxsize=2048)
+def wrong_reply(wrong: Callable[..., Any], drawn: Trial, index: int) -> Reply:
+    """Return what a mistake replies to one question of a trial."""
+    return reply_to(wrong, drawn.questions[index])
 
 
 def check_cell(exercise: str) -> str:

@@ -9,9 +9,9 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from autograder.exercise import Exercise, GraphExercise, Group, Mistake, Trial, right_value, trial
+from autograder.exercise import Exercise, GraphExercise, Group, Mistake, Trial, right_values, trial, wrong_reply
 from autograder.reference import exercise_named
-from course.answers import Interview, Question, Reply, Trouble, interview, reply_to
+from course.answers import Interview, Question, Reply, interview
 from course.explaining import explained_missing, explained_not_axes, explained_trouble, shown
 from course.factors import factor_message
 from course.figures import is_summary
@@ -23,8 +23,6 @@ from course.verdict import Verdict
 
 #: puts questions to an answer, wherever it lives, and brings back plain data
 Ask = Callable[[Sequence[Question]], Interview]
-
-_UNANSWERED = Reply(trouble=Trouble("Unanswered", "Unanswered", ""))
 
 
 def judge(name: str, answer: object, seed: int | None = None) -> Verdict:
@@ -59,8 +57,7 @@ def verdict(exercise: Exercise, drawn: Trial, talk: Interview, seed: int | None 
     entry = entry_fault(exercise.answered, talk)
     if entry is not None:
         return Verdict(exercise.name, 0.0, entry.text, rung=entry.rung, seed=seed)
-    missing = len(drawn.questions) - len(talk.replies)
-    replies = (*talk.replies, *[_UNANSWERED] * missing)[: len(drawn.questions)]
+    replies = talk.replies_to(drawn.questions)
     expected, faults, score = _best_rule(exercise, drawn, replies)
     if not any(faults):
         return Verdict(exercise.name, 1.0, _passed_text(drawn, replies), seed=seed)
@@ -81,11 +78,11 @@ def graph_verdict(exercise: GraphExercise, talk: Interview, seed: int | None = N
     return Verdict(exercise.name, min(fault.score, 0.99), fault.text, rung=fault.rung, misconception=fault.slug, seed=seed)
 
 
-def _best_rule(exercise: Exercise, drawn: Trial, replies: Sequence[Reply]) -> tuple[list[Plain], list[Fault | None], float]:
+def _best_rule(exercise: Exercise, drawn: Trial, replies: Sequence[Reply]) -> tuple[Sequence[Plain], list[Fault | None], float]:
     """Return (expected values, faults, score) by the right rule that fits best; rules are never mixed."""
-    best: tuple[list[Plain], list[Fault | None], float] | None = None
+    best: tuple[Sequence[Plain], list[Fault | None], float] | None = None
     for rule in (exercise.reference, *exercise.also_right):
-        expected = [right_value(rule, question) for question in drawn.questions]
+        expected = right_values(rule, drawn)
         faults = [
             call_fault(exercise.answered, question, right, reply)
             for question, right, reply in zip(drawn.questions, expected, replies, strict=True)
@@ -141,8 +138,11 @@ def _recognised(exercise: Exercise, drawn: Trial, replies: Sequence[Reply], faul
     Best is one that agrees in all cases; then one that explains every case that failed; then one that explains a quantity that
     was wrong (two mistakes at once: the first of them is told).
     """
-    failing = [index for index, fault in enumerate(faults) if fault is not None]
-    passing = [index for index, fault in enumerate(faults) if fault is None]
+    # where only the inputs were changed the value may be right, and then it is no sign of any mistake
+    failing = [index for index, fault in enumerate(faults) if fault is not None and fault.rung != "inputs"]
+    passing = [index for index in range(len(faults)) if index not in failing]
+    if not failing:
+        return None
     wrong = _wrong_quantities(faults)
     explains_failures, explains_quantity = None, None
     for mistake in exercise.mistakes:
@@ -167,7 +167,7 @@ def _wrong_quantities(faults: Sequence[Fault | None]) -> np.ndarray | None:
     return np.all(np.stack(masks), axis=0)  # type: ignore[arg-type]
 
 
-def _agreement(
+def _agreement(  # noqa: PLR0913 - the evidence, and how much of it must agree
     exercise: Exercise,
     mistake: Mistake,
     drawn: Trial,
@@ -181,8 +181,7 @@ def _agreement(
     """
     agreement: np.ndarray | None = None
     for index in indices:
-        question, reply = drawn.questions[index], replies[index]
-        same = _same_reply(exercise, reply_to(mistake.wrong, question), reply)
+        same = _same_reply(exercise, wrong_reply(mistake.wrong, drawn, index), replies[index])
         agreement = same if agreement is None or len(same) != len(agreement) else agreement & same
         telling = (
             agreement.all() if wrong is None or len(wrong) != len(agreement) else (agreement & wrong).any() or agreement.all()

@@ -28,12 +28,16 @@ _FIRST_UID = 20_000
 
 @dataclass(frozen=True)
 class Limits:
-    """What one submission's notebook may use: times in s, memory in MiB."""
+    """What one submission's notebook may use: times in s, memory in MiB.
+
+    `grace` is for code that does not let itself be interrupted: when it is over, the session is ended.
+    """
 
     start: float = 60.0
     cell: float = 30.0
     check: float = 20.0
     notebook: float = 300.0
+    grace: float = 5.0
     memory_mb: int = 3072
     processes: int = 64
 
@@ -116,8 +120,8 @@ class Session:
 
     def _asked(self, request: dict[str, Plain], seconds: float) -> dict[str, Any]:
         self._last_id += 1
-        # the sandbox interrupts what is slow by itself; the grace is for code that does not let itself be interrupted
-        deadline = min(time.monotonic() + seconds + 5.0, self._end)
+        # the sandbox interrupts what is slow by itself
+        deadline = min(time.monotonic() + seconds + self._limits.grace, self._end)
         try:
             self._socket.settimeout(max(deadline - time.monotonic(), 0.01))
             with self._socket.makefile("wb") as stream:
@@ -163,7 +167,8 @@ class Session:
         limits = self._limits
         descriptor = theirs.fileno()
         uid = _FIRST_UID + self._slot
-        arguments = [descriptor, uid if self._sandbox else 0, limits.memory_mb, math.ceil(limits.notebook), limits.processes]
+        cpu_seconds = math.ceil(limits.start + limits.notebook)
+        arguments = [descriptor, uid if self._sandbox else 0, limits.memory_mb, cpu_seconds, limits.processes]
         runner = [sys.executable, "-s", "-P", "-B", "-m", "autograder.sandbox.runner", *map(str, arguments)]
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115 - closed in __exit__
         if self._sandbox:

@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 
 from course.figures import axes_summary, is_axes
-from course.plain import Plain, as_given, class_name, fresh, plain, plain_text, type_name
+from course.plain import Plain, TimeUp, as_given, class_name, fresh, plain, plain_text, type_name
 
 MAX_PRINTED = 2_000
 MAX_MESSAGE = 500
@@ -72,6 +72,9 @@ class Reply:
     warned: tuple[str, ...] = ()
 
 
+_UNANSWERED = Reply(trouble=Trouble("Unanswered", "Unanswered", ""))
+
+
 @dataclass(frozen=True)
 class Missing:
     """Why there is nothing to call.
@@ -100,9 +103,10 @@ class Interview:
     figure: Mapping[str, Plain] | None = None
     seconds: float = field(default=0.0, compare=False)
 
-
-class TimeUp(BaseException):
-    """Raised inside an answer that takes too long; not an Exception, so that `except Exception` does not swallow it."""
+    def replies_to(self, questions: Sequence[Question]) -> tuple[Reply, ...]:
+        """Return one reply for each question; one that never came is trouble."""
+        missing = len(questions) - len(self.replies)
+        return (*self.replies, *[_UNANSWERED] * missing)[: len(questions)]
 
 
 def interview(answer: object, questions: Sequence[Question], time_limit: float = TIME_LIMIT) -> Interview:
@@ -134,8 +138,8 @@ def _uncallable(answer: object, questions: Sequence[Question]) -> Interview | No
             return Interview(kind=type_name(answer))
     if not callable(answer):
         return Interview(kind=type_name(answer))
-    for question in questions:
-        mismatch = _signature_mismatch(answer, len(question.args))
+    for count in {len(question.args) for question in questions}:
+        mismatch = _signature_mismatch(answer, count)
         if mismatch:
             return Interview(mismatch=mismatch)
     return None

@@ -82,7 +82,7 @@ def _verdict(answered: Answered, questions: Sequence[Question], expected: Sequen
     fault = entry_fault(answered, talk)
     if fault is not None:
         return Verdict(name, 0.0, fault.text, rung=fault.rung, public=True)
-    for question, right, reply in zip(questions, expected, talk.replies, strict=False):
+    for question, right, reply in zip(questions, expected, talk.replies_to(questions), strict=True):
         fault = call_fault(answered, question, right, reply)
         if fault is not None:
             text = _fault_text(answered, questions, expected, talk, fault)
@@ -98,9 +98,9 @@ def _fault_text(
 ) -> Text:
     if fault.rung != "value":
         return fault.text
-    given = [numeric(reply.value) for reply in talk.replies]
+    given = [numeric(reply.value) for reply in talk.replies_to(questions)]
     right = [numeric(value) for value in expected]
-    if any(g is None or g.shape != r.shape or not np.isfinite(g).all() for g, r in zip(given, right, strict=False)):  # type: ignore[union-attr]
+    if any(g is None or g.shape != r.shape or not np.isfinite(g).all() for g, r in zip(given, right, strict=True)):  # type: ignore[union-attr]
         return fault.text
     factor = factor_message(answered, questions, given, right)  # type: ignore[arg-type]
     return fault.text if factor is None else factor + Text("\n", "\n")

@@ -30,6 +30,10 @@ class Odd(NamedTuple):
     type_name: str
 
 
+class TimeUp(BaseException):
+    """Raised inside an answer that takes too long; not an Exception, so that `except Exception` does not swallow it."""
+
+
 class _TooMuchError(Exception):
     """There is more in a value than an answer may hold; the argument is the kind of `Odd` that it is."""
 
@@ -69,7 +73,9 @@ def plain_text(value: object, longest: int = MAX_TEXT) -> str:
     """Return str(value), shortened, as nothing but text; "" where that fails."""
     try:
         return str.__getitem__(str(value), slice(longest))
-    except Exception:
+    except TimeUp:
+        raise
+    except BaseException:
         return ""
 
 

@@ -146,8 +146,7 @@ def remainder_of_fmod(pose, distance, dtheta):
 
 def still_when_reversing(pose, distance, dtheta):
     x, y, theta = pose
-    if distance < 0:
-        distance = 0
+    distance = max(distance, 0)
     return np.array([x + distance * np.cos(theta), y + distance * np.sin(theta), theta + dtheta])
 
 

@@ -138,8 +138,9 @@ def sign_of_the_correction(pose, distance, dtheta):
 
 def turn_wrapped(pose, distance, dtheta):
     turn = (dtheta + np.pi) % (2 * np.pi) - np.pi
-    x, y, theta = half_way(pose, distance, turn)
-    return np.array([x, y, pose[2] + dtheta])
+    moved = half_way(pose, distance, turn)
+    moved[2] = pose[2] + dtheta
+    return moved
 
 
 def turn_and_heading_wrapped(pose, distance, dtheta):
@@ -184,8 +185,9 @@ def two_poses(pose, distance, dtheta):
 
 
 def half_way_pose(pose, distance, dtheta):
-    x, y, theta = pose
-    return half_way(pose, distance / 2, dtheta)[0], half_way(pose, distance / 2, dtheta)[1], theta + dtheta / 2
+    moved = half_way(pose, distance / 2, dtheta)
+    moved[2] -= dtheta / 2
+    return moved
 
 
 def four_decimals(pose, distance, dtheta):

@@ -1,6 +1,8 @@
 """A course of one small notebook, in a folder of its own."""
 
+import json
 import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -8,6 +10,7 @@ import pytest
 
 from autograder.reference import NOTEBOOKS, WRITTEN
 
+ROOT = Path(__file__).parents[2]
 SMALL = Path(__file__).with_name("small_notebook.md")
 
 
@@ -50,3 +53,110 @@ def empty_gradebook(alembic_on_path, tmp_path_factory):
     path = tmp_path_factory.mktemp("gradebook") / "empty.db"
     Gradebook(f"sqlite:///{path}", "dead-reckoning").close()
     return path
+
+
+#: a second exercise in the first notebook, and a second notebook
+EXERCISE = """
+```{code-cell} ipython3
+---
+exercise: %s
+---
+def %s(%s):
+    ### BEGIN SOLUTION
+    return %s
+    ### END SOLUTION
+```
+"""
+CLASS_CONTENTS = {"odometry/pose_update": ("pose_step", "displacement"), "odometry/encoders": ("distance_per_count",)}
+SOLUTIONS = {
+    "pose_step": (
+        "def pose_step(pose, distance, dtheta):\n    x, y, theta = pose\n"
+        "    return np.array([x + distance * np.cos(theta), y + distance * np.sin(theta), theta + dtheta])"
+    ),
+    "displacement": "def displacement(V, omega, dt):\n    return np.array([V * dt, 0.0, omega * dt])",
+    "distance_per_count": (
+        "def distance_per_count(radius, gear, counts_per_rev):\n    return 2 * np.pi * radius / (gear * counts_per_rev)"
+    ),
+}
+
+
+@pytest.fixture
+def class_contents(monkeypatch):
+    """A table of contents of two notebooks with three exercises and a written answer."""
+    _use_class_contents(monkeypatch)
+
+
+def _use_class_contents(patch):
+    for notebook in [*NOTEBOOKS]:
+        patch.delitem(NOTEBOOKS, notebook)
+    for notebook, names in CLASS_CONTENTS.items():
+        patch.setitem(NOTEBOOKS, notebook, names)
+    patch.setitem(WRITTEN, "odometry/pose_update", ("q1_derivation",))
+
+
+@pytest.fixture(scope="session")
+def class_release(tmp_path_factory):
+    """The root of a course of these notebooks, built. Copy it to change it."""
+    from autograder.building import build
+
+    root = tmp_path_factory.mktemp("course")
+    (root / "source/odometry").mkdir(parents=True)
+    (root / "course").mkdir()
+    small = SMALL.read_text(encoding="utf-8")
+    head, _, _ = small.partition('+++ {"lang": "en"}\n\nWhy?')
+    sources = {
+        "pose_update": small + EXERCISE % ("displacement", "displacement", "V, omega, dt", "np.array([V * dt, 0.0, omega * dt])"),
+        "encoders": head
+        + EXERCISE
+        % (
+            *("distance_per_count",) * 2,
+            "radius, gear, counts_per_rev",
+            "2 * np.pi * radius / (gear * counts_per_rev)",
+        ),
+    }
+    for name, text in sources.items():
+        (root / f"source/odometry/{name}.md").write_text(text, encoding="utf-8")
+    with pytest.MonkeyPatch.context() as patch:
+        _use_class_contents(patch)
+        build(root)
+    shutil.copy(ROOT / "nbgrader_config.py", root)
+    return root
+
+
+@pytest.fixture(scope="session")
+def answered(class_release):
+    """Returns a function that fills answers into a released notebook and gives its bytes."""
+
+    def filled(notebook="pose_update", language="en", edit=None, **answers):
+        path = class_release / f"release/{language}/odometry/{notebook}.ipynb"
+        made = json.loads(path.read_text(encoding="utf-8"))
+        for cell in made["cells"]:
+            name = cell["metadata"].get("nbgrader", {}).get("grade_id")
+            cell["source"] = {**SOLUTIONS, "q1_derivation": "Because.", **answers}.get(name, cell["source"])
+        if edit is not None:
+            edit(made)
+        return json.dumps(made).encode()
+
+    return filled
+
+
+@pytest.fixture
+def class_root(class_release, tmp_path, class_contents):
+    """A copy of the course, where nobody has handed in anything yet."""
+    root = tmp_path / "class"
+    shutil.copytree(class_release, root)
+    return root
+
+
+@pytest.fixture
+def hand_in(class_root):
+    """Returns a function that puts notebooks, as bytes by name, where a student hands them in."""
+
+    def put(student, **notebooks):
+        folder = class_root / "submitted" / student / "odometry"
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, content in notebooks.items():
+            (folder / f"{name}.ipynb").write_bytes(content)
+        return folder
+
+    return put

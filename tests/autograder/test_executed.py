@@ -268,7 +268,7 @@ def test_only_text_and_pictures_are_left_of_an_output(output, clean):
         assert made is None
     else:
         assert {key: made[key] for key in clean} == clean
-        nbformat.validate(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell("", outputs=[made])]))
+        nbformat.validate(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell("", outputs=nbformat.from_dict([made]))]))
 
 
 def pixels(output):

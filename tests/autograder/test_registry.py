@@ -5,6 +5,7 @@ import importlib.util
 import io
 import re
 import warnings
+from collections import Counter
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -23,7 +24,6 @@ ROOT = Path(__file__).resolve().parents[2]
 ALL = exercises()
 FUNCTIONS = [exercise for exercise in ALL if isinstance(exercise, Exercise)]
 SEEDS = 200
-MISTAKES = [(exercise, mistake) for exercise in FUNCTIONS for mistake in exercise.mistakes]
 
 
 def names(item: object) -> str:
@@ -106,33 +106,40 @@ def test_untouched_stub_is_told_kindly(exercise):
     assert "書" in verdict.message("ja")
 
 
-@pytest.mark.parametrize(("exercise", "mistake"), MISTAKES, ids=names)
-def test_mistake_loses_points_and_is_named(exercise, mistake):
-    sweep(exercise, mistake, range(10))
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_every_mistake_loses_points_and_is_named(exercise):
+    assert unrecognised(exercise, range(10)) == {}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("exercise", "mistake"), MISTAKES, ids=names)
-def test_mistake_loses_points_and_is_named_in_every_drawing(exercise, mistake):
-    sweep(exercise, mistake, range(10, SEEDS))
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
+def test_every_mistake_loses_points_and_is_named_in_200_drawings(exercise):
+    assert unrecognised(exercise, range(10, SEEDS)) == {}
 
 
-def sweep(exercise, mistake, seeds):
-    named = 0
+def unrecognised(exercise, seeds):
+    """Return the mistakes that passed in some drawing, or went by their name in fewer than 95 %: slug -> what happened."""
+    passed, named = Counter(), Counter()
     for seed in seeds:
-        verdict = judged(exercise.name, mistake.wrong, seed)
-        assert verdict.score < 1, seed
-        assert verdict.rung in RUNGS
-        named += verdict.misconception == mistake.slug
-    assert named >= 0.95 * len(seeds)
+        # the mistakes of one drawing one after the other: the judge then draws its cases once
+        for mistake in exercise.mistakes:
+            verdict = judged(exercise.name, mistake.wrong, seed)
+            assert verdict.rung is None or verdict.rung in RUNGS
+            passed[mistake.slug] += verdict.score >= 1
+            named[mistake.slug] += verdict.misconception == mistake.slug
+    return {
+        slug: f"passed {passed[slug]}, named {named[slug]} of {len(seeds)}"
+        for slug in exercise.misconceptions
+        if passed[slug] or named[slug] < 0.95 * len(seeds)
+    }
 
 
 @pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
 def test_right_answers_in_other_styles_are_right(exercise):
     right = answers(exercise.name).RIGHT
     assert len(right) >= 3
-    for label, answer in right.items():
-        for seed in range(50):
+    for seed in range(50):
+        for label, answer in right.items():
             verdict = judged(exercise.name, answer, seed)
             assert verdict.score == 1.0, (label, seed, verdict.message("en"))
 
@@ -140,13 +147,17 @@ def test_right_answers_in_other_styles_are_right(exercise):
 @pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
 def test_wrong_answers_nobody_declared_lose_points(exercise):
     wrong = answers(exercise.name).WRONG
-    plain, named = 0, 0
-    for label, (answer, _, kind) in wrong.items():
-        verdicts = [judged(exercise.name, answer, seed) for seed in range(50)]
-        assert all(verdict.score < 1 for verdict in verdicts), label
-        plain += kind == "plain"
-        named += kind == "plain" and sum(v.misconception is not None or v.rung != "value" for v in verdicts) > 25
-    assert named >= 0.9 * plain
+    seeds = range(30)
+    told = {label: [] for label in wrong}
+    for seed in seeds:
+        for label, (answer, _, _) in wrong.items():
+            told[label].append(judged(exercise.name, answer, seed))
+    assert [label for label, verdicts in told.items() if any(verdict.score >= 1 for verdict in verdicts)] == []
+    plain = [label for label, (_, _, kind) in wrong.items() if kind == "plain"]
+    named = [
+        label for label in plain if sum(v.misconception is not None or v.rung != "value" for v in told[label]) > len(seeds) / 2
+    ]
+    assert len(named) >= 0.9 * len(plain), set(plain) - set(named)
 
 
 @pytest.mark.parametrize("exercise", FUNCTIONS, ids=names)
@@ -175,5 +186,6 @@ def test_messages_never_show_hidden_numbers(exercise):
         for question in trial(exercise, 5).questions:
             for value in (*question.args, reply_to(exercise.reference, Question(question.args)).value):
                 for number in np.ravel(np.asarray(value, dtype=float)) if not isinstance(value, dict) else ():
-                    if number != round(number, 2):
+                    # inputs that a definition names, such as 1e-12, may be named to the student too
+                    if number != round(number, 2) and abs(number) > 1e-6:
                         assert f"{number:.6g}" not in told

@@ -38,11 +38,11 @@ def cases(rng):
             [channels(there_and_back(1 if k % 2 else -1), start) for k, start in enumerate(starts)],
         ),
         Group(
-            Text("lists, True and False", "リスト、True / False"),
+            Text("lists", "リスト"),
             1,
             [
                 tuple(bits.tolist() for bits in channels(there_and_back(-1), odd)),
-                tuple(bits.astype(bool) for bits in channels(there_and_back(-1), 4 - odd)),
+                tuple(bits.tolist() for bits in channels(there_and_back(-1), 4 - odd)),
             ],
         ),
         Group(Text("a single sample", "サンプルが 1 つだけ"), 1, [channels(np.zeros(0, int), 1), channels(np.zeros(0, int), 3)]),

@@ -239,6 +239,22 @@ def zeros_in_the_last_row(velocity, yaw_rate, dt, pose0):
     return poses
 
 
+def start_row_twice(velocity, yaw_rate, dt, pose0):
+    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    theta = pose0[2] + np.append(0, np.cumsum(w * dt))
+    x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
+    y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
+    return np.column_stack([x, y, theta])[[0, *range(len(v))]]
+
+
+def last_pose_first(velocity, yaw_rate, dt, pose0):
+    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    theta = pose0[2] + np.append(0, np.cumsum(w * dt))
+    x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
+    y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
+    return np.column_stack([x, y, theta])[::-1]
+
+
 def start_row_dropped(velocity, yaw_rate, dt, pose0):
     v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
     theta = pose0[2] + np.append(0, np.cumsum(w * dt))
@@ -351,6 +367,14 @@ def time_in_the_first_column(velocity, yaw_rate, dt, pose0):
     return np.column_stack([np.append(0, np.cumsum(np.ones(len(v)) * dt)), x, y, theta])
 
 
+def heading_counted_from_y(velocity, yaw_rate, dt, pose0):
+    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    theta = pose0[2] + np.append(0, np.cumsum(w * dt))
+    x = pose0[0] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
+    y = pose0[1] + np.append(0, np.cumsum(-v * np.cos(theta[:-1]) * dt))
+    return np.column_stack([x, y, theta])
+
+
 def sin_cos_exchanged(velocity, yaw_rate, dt, pose0):
     v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
     theta = pose0[2] + np.append(0, np.cumsum(w * dt))
@@ -423,6 +447,14 @@ def distance_subtracted(velocity, yaw_rate, dt, pose0):
     return np.column_stack([x, y, theta])
 
 
+def stands_still_when_reversing(velocity, yaw_rate, dt, pose0):
+    v, w = np.maximum(velocity, 0), np.array(yaw_rate, dtype=float)
+    theta = pose0[2] + np.append(0, np.cumsum(w * dt))
+    x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
+    y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
+    return np.column_stack([x, y, theta])
+
+
 def speed_made_positive(velocity, yaw_rate, dt, pose0):
     v, w = abs(np.array(velocity, dtype=float)), np.array(yaw_rate, dtype=float)
     theta = pose0[2] + np.append(0, np.cumsum(w * dt))
@@ -433,6 +465,24 @@ def speed_made_positive(velocity, yaw_rate, dt, pose0):
 
 def turns_made_positive(velocity, yaw_rate, dt, pose0):
     v, w = np.array(velocity, dtype=float), abs(np.array(yaw_rate, dtype=float))
+    theta = pose0[2] + np.append(0, np.cumsum(w * dt))
+    x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
+    y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
+    return np.column_stack([x, y, theta])
+
+
+def next_dt_used(velocity, yaw_rate, dt, pose0):
+    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    dt = np.roll(np.ones(len(v)) * dt, -1)
+    theta = pose0[2] + np.append(0, np.cumsum(w * dt))
+    x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
+    y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
+    return np.column_stack([x, y, theta])
+
+
+def dt_before_used(velocity, yaw_rate, dt, pose0):
+    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    dt = np.roll(np.ones(len(v)) * dt, 1)
     theta = pose0[2] + np.append(0, np.cumsum(w * dt))
     x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
     y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
@@ -466,9 +516,27 @@ def time_for_dt(velocity, yaw_rate, dt, pose0):
     return np.column_stack([x, y, theta])
 
 
+def always_10_milliseconds(velocity, yaw_rate, dt, pose0):
+    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    dt = 0.01
+    theta = pose0[2] + np.append(0, np.cumsum(w * dt))
+    x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
+    y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
+    return np.column_stack([x, y, theta])
+
+
 def always_5_milliseconds(velocity, yaw_rate, dt, pose0):
     v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
     dt = 0.005
+    theta = pose0[2] + np.append(0, np.cumsum(w * dt))
+    x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
+    y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
+    return np.column_stack([x, y, theta])
+
+
+def first_step_at_rest(velocity, yaw_rate, dt, pose0):
+    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    v, w = np.append(0, v[:-1]), np.append(0, w[:-1])
     theta = pose0[2] + np.append(0, np.cumsum(w * dt))
     x = pose0[0] + np.append(0, np.cumsum(v * np.cos(theta[:-1]) * dt))
     y = pose0[1] + np.append(0, np.cumsum(v * np.sin(theta[:-1]) * dt))
@@ -761,6 +829,20 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            start_row_twice,
+            Text(
+                "The initial pose stands in two rows, and the last step is missing: all poses come one row too late.",
+                "初期姿勢が 2 行続き、最後の 1 歩がありません。姿勢が 1 行ずつ遅れています。",
+            ),
+        ),
+        Mistake(
+            last_pose_first,
+            Text(
+                "The rows are in the opposite order: the last pose comes first.",
+                "行の順序が逆で、最後の姿勢から並んでいます。",
+            ),
+        ),
+        Mistake(
             start_row_dropped,
             Text(
                 "The initial pose is missing: there are N rows, and the first is the pose after one step already. N steps "
@@ -876,6 +958,14 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            heading_counted_from_y,
+            Text(
+                "The path is turned clockwise by a quarter turn: the heading is counted from another axis. A heading of 0 "
+                "looks along +x.",
+                "経路が時計回りに 1/4 回転しています。方位を測る軸が違います。方位 0 は +x の向きです。",
+            ),
+        ),
+        Mistake(
             sin_cos_exchanged,
             Text(
                 "sin and cos are exchanged: the path is reflected. A heading of 0 looks along +x. (The slides on dead "
@@ -941,6 +1031,13 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            stands_still_when_reversing,
+            Text(
+                "A robot that reverses stands still: negative speeds are replaced by 0. A negative speed is a motion backwards.",
+                "後退のとき止まっています。負の速度が 0 に置き換えられています。速度が負なら後ろへ進みます。",
+            ),
+        ),
+        Mistake(
             speed_made_positive,
             Text(
                 "A robot that reverses is drawn driving forward: the sign of the speed is lost.",
@@ -952,6 +1049,20 @@ EXERCISE = Exercise(
             Text(
                 "Every turn becomes a turn to the left: the sign of the yaw rate is lost.",
                 "どちらに回っても左旋回になっています。角速度の符号が失われています。",
+            ),
+        ),
+        Mistake(
+            next_dt_used,
+            Text(
+                "With an array of dt, step k is multiplied by the dt of step k + 1. Check the index of dt.",
+                "dt が配列のとき、k 番目の歩に k + 1 番目の dt を掛けています。dt の添字を確かめましょう。",
+            ),
+        ),
+        Mistake(
+            dt_before_used,
+            Text(
+                "With an array of dt, step k is multiplied by the dt of step k - 1. Check the index of dt.",
+                "dt が配列のとき、k 番目の歩に k - 1 番目の dt を掛けています。dt の添字を確かめましょう。",
             ),
         ),
         Mistake(
@@ -976,10 +1087,26 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            always_10_milliseconds,
+            Text(
+                "The result is the same whatever dt is: 0.01 s is written into the function. Use the argument dt.",
+                "dt を変えても結果が変わりません。関数の中に 0.01 秒と書き込まれています。引数の dt を使いましょう。",
+            ),
+        ),
+        Mistake(
             always_5_milliseconds,
             Text(
                 "The result is the same whatever dt is: 0.005 s is written into the function. Use the argument dt.",
                 "dt を変えても結果が変わりません。関数の中に 0.005 秒と書き込まれています。引数の dt を使いましょう。",
+            ),
+        ),
+        Mistake(
+            first_step_at_rest,
+            Text(
+                "Nothing happens in the first step, and each later step uses the sample before it: the samples come one step "
+                "too late. Eq. (6) uses sample k in step k.",
+                "最初の歩で動かず、その後も 1 つ前の値を使っています。速度と角速度が 1 歩ずつ遅れています。"
+                "式 (6) では k 番目の歩に k 番目の値を使います。",
             ),
         ),
         Mistake(
@@ -1029,8 +1156,8 @@ EXERCISE = Exercise(
         Mistake(
             arrays_only,
             Text(
-                "With lists the function stops with a TypeError: a list cannot be computed with as an array can. Turn the inputs "
-                "into arrays first, np.asarray(..., dtype=float).",
+                "With lists the function stops with a TypeError: a list cannot be computed with as an array can. Turn the "
+                "inputs into arrays first, np.asarray(..., dtype=float).",
                 "リストを渡すと TypeError で止まります。リストは配列のようには計算できません。"
                 "最初に np.asarray(..., dtype=float) で配列にしましょう。",
             ),

@@ -82,6 +82,10 @@ def dt_taken_for_milliseconds(velocity, yaw_rate, dt):
     return np.array([velocity * dt / 1000, 0.0, yaw_rate * dt / 1000])
 
 
+def always_10_milliseconds(velocity, yaw_rate, dt):
+    return np.array([velocity * 0.01, 0.0, yaw_rate * 0.01])
+
+
 def always_5_milliseconds(velocity, yaw_rate, dt):
     return np.array([velocity * 0.005, 0.0, yaw_rate * 0.005])
 
@@ -92,6 +96,10 @@ def u_and_phi_exchanged(velocity, yaw_rate, dt):
 
 def turn_in_the_second_place(velocity, yaw_rate, dt):
     return np.array([velocity * dt, yaw_rate * dt, 0.0])
+
+
+def never_backwards(velocity, yaw_rate, dt):
+    return np.array([max(velocity * dt, 0), 0.0, yaw_rate * dt])
 
 
 def forward_in_the_second_place(velocity, yaw_rate, dt):
@@ -142,6 +150,12 @@ def turn_in_degrees(velocity, yaw_rate, dt):
 
 def turn_taken_for_degrees(velocity, yaw_rate, dt):
     return np.array([velocity * dt, 0.0, np.deg2rad(yaw_rate * dt)])
+
+
+def still_without_speed(velocity, yaw_rate, dt):
+    if velocity == 0:
+        return np.zeros(3)
+    return np.array([velocity * dt, 0.0, yaw_rate * dt])
 
 
 def turn_from_speed(velocity, yaw_rate, dt):
@@ -218,15 +232,6 @@ EXERCISE = Exercise(
     examples=((0.5, 0.3, 0.1), (-0.4, 1.2, 0.005)),
     mistakes=(
         Mistake(
-            dt_forgotten,
-            Text(
-                "These are the speed and the yaw rate themselves, per second. The displacement is what happens in one step: "
-                "where does dt come in?",
-                "速度と角速度がそのまま返っています。これらは 1 秒あたりの値です。求めるのは 1 周期の移動量です。"
-                "dt はどこに入りますか。",
-            ),
-        ),
-        Mistake(
             dt_forgotten_in_phi,
             Text(
                 "phi is the yaw rate itself, in rad/s. The turn in one step is an angle in rad: where does dt come in?",
@@ -238,6 +243,15 @@ EXERCISE = Exercise(
             Text(
                 "u is the speed itself, in m/s. The way made in one step is a length in m: where does dt come in?",
                 "u が速度 [m/s] のままになっています。1 周期で進む距離 [m] を求めるには、dt はどこに入りますか。",
+            ),
+        ),
+        Mistake(
+            dt_forgotten,
+            Text(
+                "These are the speed and the yaw rate themselves, per second. The displacement is what happens in one step: "
+                "where does dt come in?",
+                "速度と角速度がそのまま返っています。これらは 1 秒あたりの値です。求めるのは 1 周期の移動量です。"
+                "dt はどこに入りますか。",
             ),
         ),
         Mistake(
@@ -271,9 +285,9 @@ EXERCISE = Exercise(
         Mistake(
             half_a_step,
             Text(
-                "u and phi are both half of what they should be. The whole step of length dt is asked for; the half belongs "
-                "to the mean of two wheel speeds.",
-                "u も phi も半分の値です。ここで求めるのは 1 周期 dt の全体です。"
+                "What comes out is half of what it should be. The whole step of length dt is asked for; the half belongs to "
+                "the mean of two wheel speeds.",
+                "値が半分になっています。ここで求めるのは 1 周期 dt の全体です。"
                 "1/2 が出てくるのは、左右の車輪の速度を平均するときです。",
             ),
         ),
@@ -288,15 +302,24 @@ EXERCISE = Exercise(
         Mistake(
             dt_in_milliseconds,
             Text(
-                "u and phi are 1000 times too large: dt was turned into milliseconds. The course computes in seconds.",
-                "u も phi も 1000 倍です。dt をミリ秒に直していませんか。この講義では秒で計算します。",
+                "The result is 1000 times too large. Was dt turned into milliseconds, or a length into millimetres? The "
+                "course computes in s and m.",
+                "結果が 1000 倍です。dt をミリ秒に、または長さを mm に直していませんか。この講義では s と m で計算します。",
             ),
         ),
         Mistake(
             dt_taken_for_milliseconds,
             Text(
-                "u and phi are 1000 times too small: dt was taken for milliseconds. It is in seconds already.",
-                "u も phi も 1/1000 です。dt をミリ秒とみなして割っていませんか。dt はすでに秒です。",
+                "The result is 1000 times too small. Was dt taken for milliseconds, or a speed for mm/s? They are in s and "
+                "m/s already.",
+                "結果が 1/1000 です。dt をミリ秒、または速度を mm/s とみなして割っていませんか。すでに s と m/s です。",
+            ),
+        ),
+        Mistake(
+            always_10_milliseconds,
+            Text(
+                "The result is the same whatever dt is: 0.01 s is written into the function. Use the argument dt.",
+                "dt を変えても結果が変わりません。関数の中に 0.01 秒と書き込まれています。引数の dt を使いましょう。",
             ),
         ),
         Mistake(
@@ -309,8 +332,8 @@ EXERCISE = Exercise(
         Mistake(
             u_and_phi_exchanged,
             Text(
-                "Speed and yaw rate are exchanged. The order is (u, v, phi): forward, sideways, turn.",
-                "速度と角速度が入れ替わっています。順序は (u, v, phi)、つまり前方向、横方向、回転です。",
+                "The turn stands where u belongs. The order is (u, v, phi): forward, sideways, turn.",
+                "u のところに回転量が入っています。順序は (u, v, phi)、つまり前方向、横方向、回転です。",
             ),
         ),
         Mistake(
@@ -320,6 +343,13 @@ EXERCISE = Exercise(
                 "what is it for a robot on wheels?",
                 "2 番目に回転量が入っています。順序は (u, v, phi) です。"
                 "横方向の移動量はどれで、車輪型ロボットではいくらになりますか。",
+            ),
+        ),
+        Mistake(
+            never_backwards,
+            Text(
+                "A robot that reverses stands still: negative speeds are replaced by 0. A negative u is a step backwards.",
+                "後退のとき止まっています。負の速度が 0 に置き換えられています。u が負なら後退です。",
             ),
         ),
         Mistake(
@@ -412,6 +442,13 @@ EXERCISE = Exercise(
             Text(
                 "phi is converted as if yaw_rate were in degrees per second. It is in rad/s already.",
                 "yaw_rate を度毎秒とみなして変換しています。yaw_rate はすでに rad/s です。",
+            ),
+        ),
+        Mistake(
+            still_without_speed,
+            Text(
+                "With speed 0 nothing moves at all. A robot can turn on the spot: the turn does not depend on the speed.",
+                "速度が 0 のとき、まったく動いていません。ロボットはその場でも回れます。旋回量は速度とは関係ありません。",
             ),
         ),
         Mistake(

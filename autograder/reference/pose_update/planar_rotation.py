@@ -34,6 +34,32 @@ def cases(rng):
     ]
 
 
+def identity_returned(theta):
+    return np.eye(3)
+
+
+def negative_headings_made_zero(theta):
+    c, s = np.cos(max(theta, 0)), np.sin(max(theta, 0))
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def half_turns_dropped(theta):
+    c, s = np.cos(theta % np.pi), np.sin(theta % np.pi)
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def cosine_positive_by_tangent(theta):
+    t = np.tan(theta)
+    c = 1 / np.sqrt(1 + t**2)
+    s = t * c
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def quarter_turn_too_far(theta):
+    c, s = np.cos(theta + np.pi / 2), np.sin(theta + np.pi / 2)
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
 def transposed(theta):
     c, s = np.cos(theta), np.sin(theta)
     return np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
@@ -199,6 +225,47 @@ EXERCISE = Exercise(
     tolerance=LAST_AXIS,
     examples=((np.pi / 6,), (-np.pi / 2,)),
     mistakes=(
+        Mistake(
+            identity_returned,
+            Text(
+                "This is the identity: nothing is turned, whatever theta is. Where does theta come in?",
+                "単位行列が返っています。theta が何であっても回転しません。theta はどこに入りますか。",
+            ),
+        ),
+        Mistake(
+            negative_headings_made_zero,
+            Text(
+                "Negative headings are treated as 0. A robot that has turned to the right has a negative heading, and its "
+                "matrix turns to the right.",
+                "負の方位が 0 として扱われています。右に回ったロボットの方位は負で、行列も右へ回転します。",
+            ),
+        ),
+        Mistake(
+            half_turns_dropped,
+            Text(
+                "Half turns are dropped from theta (modulo pi), which turns the robot round. cos and sin take any heading as "
+                "it is.",
+                "theta から半回転(π)の倍数が落とされ、前後が逆になることがあります。"
+                "cos と sin にはどんな方位もそのまま渡せます。",
+            ),
+        ),
+        Mistake(
+            cosine_positive_by_tangent,
+            Text(
+                "The cosine always comes out positive. A tangent cannot tell a heading from the opposite one; use cos and sin "
+                "themselves.",
+                "cos がいつも正になっています。tan では、ある方位とその反対の方位を区別できません。"
+                "cos と sin をそのまま使いましょう。",
+            ),
+        ),
+        Mistake(
+            quarter_turn_too_far,
+            Text(
+                "The matrix turns by a quarter turn too far. theta is counted from the x axis, so that at heading 0 nothing "
+                "changes.",
+                "1/4 回転だけ余計に回っています。theta は x 軸から測るので、方位 0 では何も変わらないはずです。",
+            ),
+        ),
         Mistake(
             transposed,
             Text(

@@ -115,6 +115,13 @@ def turn_subtracted_at_the_end(pose, distance, dtheta):
     return np.array([x + chord * np.cos(middle), y + chord * np.sin(middle), theta - dtheta])
 
 
+def full_turns_dropped(pose, distance, dtheta):
+    x, y, theta = pose
+    dtheta = math.fmod(dtheta, 2 * math.pi)
+    chord, middle = distance * np.sinc(dtheta / (2 * np.pi)), theta + dtheta / 2
+    return np.array([x + chord * np.cos(middle), y + chord * np.sin(middle), theta + dtheta])
+
+
 def yaw_wrapped(pose, distance, dtheta):
     x, y, theta = pose
     chord, middle = distance * np.sinc(dtheta / (2 * np.pi)), theta + dtheta / 2
@@ -324,6 +331,13 @@ def chord_without_sign(pose, distance, dtheta):
     x, y, theta = pose
     chord = abs(distance * np.sinc(dtheta / (2 * np.pi))) if abs(dtheta) > 1e-6 else distance
     middle = theta + dtheta / 2
+    return np.array([x + chord * np.cos(middle), y + chord * np.sin(middle), theta + dtheta])
+
+
+def stands_still_when_reversing(pose, distance, dtheta):
+    x, y, theta = pose
+    distance = max(distance, 0)
+    chord, middle = distance * np.sinc(dtheta / (2 * np.pi)), theta + dtheta / 2
     return np.array([x + chord * np.cos(middle), y + chord * np.sin(middle), theta + dtheta])
 
 
@@ -562,6 +576,15 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            full_turns_dropped,
+            Text(
+                "Full turns are dropped from dtheta. On an arc of more than one turn the distance is the same but the circle "
+                "smaller, and the heading goes on counting: use dtheta as it comes.",
+                "dtheta から 1 回転分が落とされています。1 回転を超える円弧では、同じ距離でも円が小さくなり、"
+                "方位も数え続けます。dtheta はそのまま使いましょう。",
+            ),
+        ),
+        Mistake(
             yaw_wrapped,
             Text(
                 "The heading is wrapped to -pi..pi. Here it goes on counting: wrap only for display.",
@@ -698,6 +721,14 @@ EXERCISE = Exercise(
                 "The chord is always positive, so that reversing on an arc is drawn forward. Leave the sign of the distance "
                 "in it.",
                 "弦の長さがいつも正なので、曲がりながらの後退が前進になっています。距離の符号を残しましょう。",
+            ),
+        ),
+        Mistake(
+            stands_still_when_reversing,
+            Text(
+                "A robot that reverses stands still: negative distances are replaced by 0. A negative distance is a step "
+                "backwards.",
+                "後退のとき止まっています。負の距離が 0 に置き換えられています。distance が負なら後ろへ進みます。",
             ),
         ),
         Mistake(

@@ -28,35 +28,35 @@ def cases(rng):
         heading = (rng.integers(0, 4) + rng.uniform(0.26, 0.74)) * np.pi / 4
         return np.array([magnitudes(rng, 0.5, 3.0), magnitudes(rng, 0.5, 3.0), heading + 2 * np.pi * turns])
 
-    def displacement(forward):
-        return np.array([forward * rng.uniform(0.9, 1.6), magnitudes(rng, 0.3, 0.7), magnitudes(rng, 0.2, 0.9)])
+    def displacement(forward, left):
+        return np.array([forward * rng.uniform(0.9, 1.6), left * rng.uniform(0.3, 0.7), magnitudes(rng, 0.2, 0.9)])
 
-    def step(forward, turns=0):
-        return until(lambda: (start(turns), displacement(forward)), lambda *step: telling(*step, turns))
+    def step(forward, left, turns=0):
+        return until(lambda: (start(turns), displacement(forward, left)), lambda *step: telling(*step, turns))
 
     def telling(pose, displacement, turns=0):
         return clear_of_zero(pose, displacement) and 0.1 < pose[2] + displacement[2] - 2 * np.pi * turns < 3.0
 
     def across_pi(side):
-        pose, motion = start(), displacement(rng.choice([-1, 1]))
+        pose, motion = start(), displacement(-side, side)
         pose[2], motion[2] = side * (np.pi - rng.uniform(0.2, 0.4)), side * rng.uniform(0.5, 0.9)
         return pose, motion
 
-    def sideways():
-        return start(), np.array([0.0, magnitudes(rng, 0.4, 1.2), magnitudes(rng, 0.2, 0.9)])
+    def sideways(left):
+        return until(lambda: (start(), displacement(0, left)), telling)
 
     def whole():
-        motion = np.array([rng.choice([5, 6]), rng.choice([-2, -1, 1, 2]), rng.choice([-1, 1])])
+        motion = np.array([rng.choice([5, 6]), rng.choice([-2, -1]), rng.choice([-1, 1])])
         return np.array([rng.choice([-4, -3, 3, 4]), rng.choice([-4, -3, 3, 4]), 2]), motion
 
     across = [until(lambda side=side: across_pi(side), clear_of_zero) for side in (-1, 1)]
     return [
-        Group(Text("forward and sideways", "前進と横移動"), 4, [step(1) for _ in range(4)]),
-        Group(Text("reversing", "後退"), 1, [step(-1) for _ in range(2)]),
-        Group(Text("sideways only", "横移動だけ"), 1, [until(sideways, telling) for _ in range(2)]),
-        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [step(1, rng.choice([-2, -1, 1, 2])), *across]),
+        Group(Text("forward and sideways", "前進と横移動"), 4, [step(1, left) for left in (1, -1, 1, -1)]),
+        Group(Text("reversing", "後退"), 1, [step(-1, 1), step(-1, -1)]),
+        Group(Text("sideways only", "横移動だけ"), 1, [sideways(1), sideways(-1)]),
+        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [step(1, 1, rng.choice([-2, -1, 1, 2])), *across]),
         Group(Text("whole numbers", "整数の入力"), 1, [until(whole, clear_of_zero)]),
-        Group(Text("lists", "リストの入力"), 1, [tuple(part.tolist() for part in step(1))]),
+        Group(Text("lists", "リストの入力"), 1, [tuple(part.tolist() for part in step(1, -1))]),
     ]
 
 
@@ -115,6 +115,18 @@ def minus_in_y(pose, displacement):
 def rotated_backwards(pose, displacement):
     c, s = np.cos(pose[2]), np.sin(pose[2])
     return np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) @ displacement + pose
+
+
+def sideways_made_positive(pose, displacement):
+    u, v, phi = displacement
+    c, s = np.cos(pose[2]), np.sin(pose[2])
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ [u, abs(v), phi] + pose
+
+
+def reversing_made_forward(pose, displacement):
+    u, v, phi = displacement
+    c, s = np.cos(pose[2]), np.sin(pose[2])
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ [abs(u), v, phi] + pose
 
 
 def left_taken_for_right(pose, displacement):
@@ -363,6 +375,20 @@ EXERCISE = Exercise(
                 "axes), or the vector stands to the left of the matrix. Which entry carries the minus sign in overview 4?",
                 "移動量を逆向きに回転しています。行列が転置(グローバルからセンサへ)になっているか、"
                 "ベクトルを行列の左から掛けていませんか。概要 #4 の行列で、マイナスが付いているのはどの成分でしょうか。",
+            ),
+        ),
+        Mistake(
+            sideways_made_positive,
+            Text(
+                "A step to the right comes out as a step to the left: the sign of v is lost.",
+                "右への移動が左への移動になっています。v の符号が失われています。",
+            ),
+        ),
+        Mistake(
+            reversing_made_forward,
+            Text(
+                "A step backwards comes out as a step forward: the sign of u is lost.",
+                "後退が前進になっています。u の符号が失われています。",
             ),
         ),
         Mistake(

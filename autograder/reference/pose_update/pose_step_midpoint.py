@@ -48,8 +48,8 @@ def cases(rng):
     wide = [until(lambda side=side: wide_turn(side), clear_of_zero) for side in (-1, 1)]
     pose, distance, dtheta = step(1, 1)
     return [
-        Group(Text("forward, turning left", "前進しながら左旋回"), 3, [step(1, 1) for _ in range(3)]),
-        Group(Text("forward, turning right", "前進しながら右旋回"), 1, [step(1, -1) for _ in range(2)]),
+        Group(Text("forward, turning left", "前進しながら左旋回"), 3, [step(1, 1), step(1, 1), step(1, 0.3)]),
+        Group(Text("forward, turning right", "前進しながら右旋回"), 1, [step(1, -1), step(1, -0.01)]),
         Group(Text("reversing", "後退"), 2, [step(-1, -1), step(-1, 1)]),
         Group(Text("turning on the spot", "その場旋回"), 1, [step(0, -1)]),
         Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [step(1, 1, rng.choice([-2, -1, 1, 2])), *across]),
@@ -101,6 +101,13 @@ def turn_in_degrees(pose, distance, dtheta):
     x, y, theta = pose
     middle = theta + dtheta / 2
     return np.array([x + distance * np.cos(middle), y + distance * np.sin(middle), theta + np.rad2deg(dtheta)])
+
+
+def turn_wrapped(pose, distance, dtheta):
+    x, y, theta = pose
+    dtheta = (dtheta + np.pi) % (2 * np.pi) - np.pi
+    middle = theta + dtheta / 2
+    return np.array([x + distance * np.cos(middle), y + distance * np.sin(middle), theta + dtheta])
 
 
 def yaw_wrapped(pose, distance, dtheta):
@@ -281,6 +288,13 @@ def clockwise(pose, distance, dtheta):
     return np.array([x + distance * np.cos(middle), y + distance * np.sin(middle), theta - dtheta])
 
 
+def stands_still_when_reversing(pose, distance, dtheta):
+    x, y, theta = pose
+    middle = theta + dtheta / 2
+    distance = max(distance, 0)
+    return np.array([x + distance * np.cos(middle), y + distance * np.sin(middle), theta + dtheta])
+
+
 def distance_made_positive(pose, distance, dtheta):
     x, y, theta = pose
     middle = theta + dtheta / 2
@@ -386,6 +400,14 @@ EXERCISE = Exercise(
             Text(
                 "dtheta is added in degrees to a heading in rad. Both are rad already.",
                 "rad の方位に、度に変換した dtheta を足しています。どちらも初めから rad です。",
+            ),
+        ),
+        Mistake(
+            turn_wrapped,
+            Text(
+                "Turns by more than half a turn come out as others: dtheta is wrapped to -pi..pi first. Use it as it comes.",
+                "半回転を超える旋回が別の旋回になっています。先に dtheta を -π〜π に折り返しています。"
+                "dtheta はそのまま使いましょう。",
             ),
         ),
         Mistake(
@@ -614,6 +636,14 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            stands_still_when_reversing,
+            Text(
+                "A robot that reverses stands still: negative distances are replaced by 0. A negative distance is a step "
+                "backwards.",
+                "後退のとき止まっています。負の距離が 0 に置き換えられています。distance が負なら後ろへ進みます。",
+            ),
+        ),
+        Mistake(
             distance_made_positive,
             Text(
                 "A robot that reverses is drawn driving forward: the sign of the distance is lost.",
@@ -630,10 +660,11 @@ EXERCISE = Exercise(
         Mistake(
             middle_by_direction,
             Text(
-                "For turns by more than half a turn the robot moves the opposite way. The middle of two directions by atan2 "
-                "lies on the short way round; take the middle of the headings as numbers.",
-                "半回転を超える旋回で、反対向きに進んでいます。atan2 で求めた「向きの真ん中」は近い側になります。"
-                "方位を数として、その真ん中をとりましょう。",
+                "For turns by more than half a turn the robot moves the opposite way. The turn was wrapped, or the middle of "
+                "two directions was taken (atan2): that one lies on the short way round. Take the headings as numbers.",
+                "半回転を超える旋回で、反対向きに進んでいます。旋回量を折り返したか、"
+                "atan2 などで「向きの真ん中」を求めていませんか。それは近い側の真ん中です。"
+                "方位はそのまま数として扱いましょう。",
             ),
         ),
         Mistake(

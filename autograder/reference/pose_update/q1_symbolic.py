@@ -25,29 +25,29 @@ def cases(rng):
     Headings are between 0 and pi, before and after the step, where no group is about them.
     """
 
-    def moved(forward, turns=0):
+    def moved(forward, left, turns=0):
         def draw():
             heading = (rng.integers(0, 4) + rng.uniform(0.26, 0.74)) * np.pi / 4
             start = magnitudes(rng, 0.5, 3.0), magnitudes(rng, 0.5, 3.0), heading + 2 * np.pi * turns
-            return *start, forward * rng.uniform(0.9, 1.6), magnitudes(rng, 0.3, 0.7), magnitudes(rng, 0.2, 0.9)
+            return *start, forward * rng.uniform(0.9, 1.6), left * rng.uniform(0.3, 0.7), magnitudes(rng, 0.2, 0.9)
 
         return until(draw, lambda *inputs: clear_of_zero(*inputs) and 0.1 < inputs[2] + inputs[5] - 2 * np.pi * turns < 3.0)
 
     def across_pi(side):
         start = magnitudes(rng, 0.5, 3.0), magnitudes(rng, 0.5, 3.0), side * (np.pi - rng.uniform(0.2, 0.4))
-        return *start, magnitudes(rng, 0.9, 1.6), magnitudes(rng, 0.3, 0.7), side * rng.uniform(0.5, 0.9)
+        return *start, -side * rng.uniform(0.9, 1.6), side * rng.uniform(0.3, 0.7), side * rng.uniform(0.5, 0.9)
 
     def whole():
         start = int(rng.choice([-4, -3, 3, 4])), int(rng.choice([-4, -3, 3, 4])), 2
-        return *start, int(rng.choice([5, 6])), int(rng.choice([-2, -1, 1, 2])), int(rng.choice([-1, 1]))
+        return *start, int(rng.choice([5, 6])), int(rng.choice([-2, -1])), int(rng.choice([-1, 1]))
 
     across = [until(lambda side=side: across_pi(side), clear_of_zero) for side in (-1, 1)]
     return [
-        Group(Text("numbers, forward", "数値、前進"), 3, [moved(1) for _ in range(3)]),
-        Group(Text("numbers, reversing", "数値、後退"), 1, [moved(-1) for _ in range(2)]),
-        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [moved(1, rng.choice([-2, -1, 1, 2])), *across]),
+        Group(Text("numbers, forward", "数値、前進"), 3, [moved(1, left) for left in (1, -1, 1)]),
+        Group(Text("numbers, reversing", "数値、後退"), 1, [moved(-1, 1), moved(-1, -1)]),
+        Group(Text("headings beyond half a turn", "半回転を超える方位"), 1, [moved(1, 1, rng.choice([-2, -1, 1, 2])), *across]),
         Group(Text("whole numbers", "整数の入力"), 1, [until(whole, clear_of_zero)]),
-        Group(Text("SymPy symbols", "SymPy の記号"), 3, [moved(1), moved(-1)], symbols=True),
+        Group(Text("SymPy symbols", "SymPy の記号"), 3, [moved(1, -1), moved(-1, 1)], symbols=True),
     ]
 
 
@@ -111,6 +111,18 @@ def plus_in_x(x1, y1, theta1, u, v, phi):
 def minus_in_y(x1, y1, theta1, u, v, phi):
     c, s = sp.cos(theta1), sp.sin(theta1)
     return x1 + c * u - s * v, y1 + s * u - c * v, theta1 + phi
+
+
+def sideways_made_positive(x1, y1, theta1, u, v, phi):
+    c, s = sp.cos(theta1), sp.sin(theta1)
+    v = abs(v)
+    return x1 + c * u - s * v, y1 + s * u + c * v, theta1 + phi
+
+
+def reversing_made_forward(x1, y1, theta1, u, v, phi):
+    c, s = sp.cos(theta1), sp.sin(theta1)
+    u = abs(u)
+    return x1 + c * u - s * v, y1 + s * u + c * v, theta1 + phi
 
 
 def left_taken_for_right(x1, y1, theta1, u, v, phi):
@@ -342,6 +354,20 @@ EXERCISE = Exercise(
                 "coincide: what must v do to y there?",
                 "y の式で、横方向の移動量 v の符号が逆です。方位 0 ではセンサの軸と全体の軸が重なります。"
                 "そのとき v だけ動くと y はどう変わるでしょうか。",
+            ),
+        ),
+        Mistake(
+            sideways_made_positive,
+            Text(
+                "A step to the right comes out as a step to the left: the sign of v is lost.",
+                "右への移動が左への移動になっています。v の符号が失われています。",
+            ),
+        ),
+        Mistake(
+            reversing_made_forward,
+            Text(
+                "A step backwards comes out as a step forward: the sign of u is lost.",
+                "後退が前進になっています。u の符号が失われています。",
             ),
         ),
         Mistake(

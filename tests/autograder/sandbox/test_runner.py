@@ -18,23 +18,19 @@ def test_an_answer_is_asked_with_what_it_is_given(session):
 
 
 MISSING = [
-    ("", "undefined", ""),
-    ("def outer():\n    def missing_one(): pass", "nested", "outer"),
-    ("%matplotlib inline\ndef outer():\n    def missing_one(): pass", "nested", "outer"),
-    ("def missing_one(:\n    pass", "syntax", ""),
-    ("def missing_onee(): pass", "similar", "missing_onee"),
+    ("nowhere", "", "undefined", ""),
+    ("inner", "def outer():\n    def inner(): pass", "nested", "outer"),
+    ("innermost", "%matplotlib inline\ndef surface():\n    def innermost(): pass", "nested", "surface"),
+    ("broken", "def broken(:\n    pass", "syntax", ""),
+    ("wheel_radius", "def wheel_radios(): pass", "similar", "wheel_radios"),
 ]
 
 
-@pytest.mark.parametrize(("source", "reason", "where"), MISSING)
-def test_why_an_answer_is_missing(session, source, reason, where):
-    session.run("%reset -f")
-    session.run("missing_onee = None")
+@pytest.mark.parametrize(("name", "source", "reason", "where"), MISSING)
+def test_why_an_answer_is_missing(session, name, source, reason, where):
     session.run(source)
-    missing = session.ask("missing_one", [Question(())]).missing
+    missing = session.ask(name, [Question(())]).missing
     assert (missing.reason, missing.where) == (reason, where)
-    # names that stay would be found the next time
-    session.run("missing_onee = None\ndef missing_one_forgotten(): pass")
 
 
 def test_a_notebook_may_use_ipythons_own_names(session):
