@@ -130,18 +130,16 @@ def _complete(session: Any, submission: Any) -> None:
     """Give the submission every notebook, grade and comment that the assignment has by now."""
     from nbgrader.api import Comment, Grade, SubmittedNotebook
 
-    present = {entry.notebook.name: entry for entry in submission.notebooks}
-    for notebook in submission.assignment.notebooks:
-        entry = present.get(notebook.name) or SubmittedNotebook(notebook=notebook, assignment=submission)
-        graded = {grade.cell.name for grade in entry.grades if grade.cell is not None}
-        for cell in notebook.grade_cells:
-            if cell.name not in graded:
-                entry.grades.append(Grade(cell=cell))
-        commented = {comment.cell.name for comment in entry.comments if comment.cell is not None}
-        for cell in notebook.solution_cells:
-            if cell.name not in commented:
-                entry.comments.append(Comment(cell=cell))
-        session.add(entry)
+    # half of a new row must not be flushed by a look at another
+    with session.no_autoflush:
+        present = {entry.notebook.name: entry for entry in submission.notebooks}
+        for notebook in submission.assignment.notebooks:
+            entry = present.get(notebook.name) or SubmittedNotebook(notebook=notebook, assignment=submission)
+            session.add(entry)
+            graded = {grade.cell.name for grade in entry.grades}
+            entry.grades.extend(Grade(cell=cell) for cell in notebook.grade_cells if cell.name not in graded)
+            commented = {comment.cell.name for comment in entry.comments}
+            entry.comments.extend(Comment(cell=cell) for cell in notebook.solution_cells if cell.name not in commented)
     session.flush()
 
 

@@ -15,8 +15,8 @@ from autograder.exercise import (
     trial,
 )
 from course.answers import Question, reply_to
-from course.language import Text
 from course.ladder import Answered
+from course.language import Text
 from course.plain import identical
 from course.tolerances import LAST_AXIS
 

@@ -92,8 +92,8 @@ def recursive(pose, distance, dtheta, pieces=8):
     return recursive(true_pose(pose, distance / pieces, 0), distance * (pieces - 1) / pieces, dtheta, pieces - 1)
 
 
-def with_japanese_names(姿勢, 距離, 回転):
-    x, y, 方位 = 姿勢
+def with_japanese_names(姿勢, 距離, 回転):  # noqa: PLC2401 - as students may
+    x, y, 方位 = 姿勢  # noqa: PLC2401
     return [x + 距離 * np.cos(方位), y + 距離 * np.sin(方位), 方位 + 回転]
 
 
@@ -134,7 +134,7 @@ HONEST = {
     "bound method": Robot().bound,
     "static method": Robot.standing,
     "partial": partial(lambda unit, *args: unit * true_pose(*args), 1.0),
-    "wrapped": functools.wraps(true_pose)(lambda *args: true_pose(*args)),
+    "wrapped": functools.wraps(math.hypot)(Robot()),
     "further parameters": lambda pose, distance, dtheta, unit=1.0, *, verbose=False: unit * true_pose(pose, distance, dtheta),
     "in place on a copy": in_place_on_a_copy,
     "homogeneous matrix": homogeneous,
@@ -259,12 +259,12 @@ WRONG = {
         "BaseExceptionGroup",
     ),
     "exits": (raising(SystemExit(0)), "runs", "exit", "exit"),
-    "interrupted": (raising(KeyboardInterrupt()), "runs", "interrupt", "中断"),
-    "does not end": (loop, "runs", "long", "時間"),
+    "interrupted": (raising(KeyboardInterrupt()), "runs", "stopped by hand", "手動で止められました"),
+    "does not end": (loop, "runs", "did not finish in time", "時間内に終わらなかった"),
     "recurses": (recurses, "runs", "calls itself", "自分自身"),
     "takes too much memory": (grows, "runs", "memory", "メモリ"),
     "prints instead": (prints_only, "shape", "print", "print"),
-    "yields instead": (yields, "shape", "yield", "yield"),
+    "yields instead": (yields, "shape", "generator", "ジェネレータ"),
     "not written": (raising(NotImplementedError()), "runs", "not written yet", "まだ書かれていません"),
     "changes its input": (spoils, "inputs", "changes its input (pose)", "引数(pose)を書き換え"),
     "spoils its input": (spoils_badly, "inputs", "changes its input (pose)", "引数(pose)を書き換え"),
@@ -272,10 +272,9 @@ WRONG = {
     "keyword-only parameters": (lambda pose, *, distance, dtheta: 0, "callable", "distance", "distance"),
     "no function": (np.zeros(3), "callable", "where a function is asked for", "関数ではなく"),
     "the result of a call": (None, "callable", "None", "None"),
-    "returns the input": (lambda pose, distance, dtheta: pose, "value", "x, y, theta", "x、y、theta"),
     "zeros": (lambda *_: np.zeros(3), "value", "x, y, theta", "x、y、theta"),
     "reads the judge": (reads_the_judge, "value", "theta", "theta"),
-    "a coroutine's class": (types.SimpleNamespace, "callable", "pose, distance, dtheta", "pose, distance, dtheta"),
+    "a class": (types.SimpleNamespace, "runs", "no positional arguments", "no positional arguments"),
 }
 
 
@@ -303,7 +302,7 @@ def test_what_came_before_an_interruption_counts():
 
     found = judge("pose_step", answer, 0)
     assert found.rung == "runs"
-    assert found.score == pytest.approx(3 / 9)
+    assert found.score == pytest.approx(3 / 9, abs=1e-4)
 
 
 def hidden_numbers(seed):
@@ -345,7 +344,9 @@ def test_the_same_seed_gives_the_same_verdict(answer):
 def test_without_a_seed_other_inputs_are_drawn_each_time():
     asked = []
     verdicts = [judge("pose_step", lambda *args: asked.append(args[1:]) or true_pose(*args)) for _ in range(3)]
-    assert len(set(asked)) == len(asked) == 3 * len(trial(POSE_STEP, 0).questions)
+    assert len(asked) == 3 * len(trial(POSE_STEP, 0).questions)
+    fractions = [args for args in asked if args[0] != round(args[0])]
+    assert len(set(fractions)) == len(fractions) > 30
     assert len({found.seed for found in verdicts}) == 3
 
 
@@ -438,14 +439,12 @@ def wrong_pose(pose, distance, dtheta):
 @pytest.mark.parametrize(("module", "name", "lie"), PATCHES, ids=lambda value: getattr(value, "__name__", str(value)))
 def test_a_patched_function_does_not_make_wrong_right(module, name, lie):
     fair = judge("pose_step", wrong_pose, 0)
-    found, error = None, None
-    with patched(module, name, lie):
-        try:
-            found = judge("pose_step", wrong_pose, 0)
-        except Exception as raised:  # noqa: BLE001
-            error = raised
-    assert error is not None or (found.score, found.rung) == (fair.score, fair.rung)
-    assert fair.score == 0
+    assert (fair.score, fair.passed) == (0, False)
+    found = None
+    # what reads the answer in this process may well break; what judges it may not be deceived
+    with patched(module, name, lie), contextlib.suppress(Exception):
+        found = judge("pose_step", wrong_pose, 0)
+    assert found is None or (found.score, found.passed) == (0, False)
 
 
 def test_an_answer_keeps_its_own_patches_and_the_judge_takes_none_over():
@@ -551,8 +550,6 @@ def both_mistakes(start, turn):
 SCORES = {
     "reference": (euler, 1.0, None, None),
     "also right": (midpoint, 1.0, None, None),
-    "rules mixed": (on(1, euler, midpoint), 0.75, "value", None),
-    "rules mixed otherwise": (on(1, midpoint, euler), 0.75, "value", None),
     "right half the time": (on(1, euler, turn_ignored), 0.75, "value", "turn_ignored"),
     "right in the light group": (on(-1, euler, turn_ignored), 0.25, "value", "turn_ignored"),
     "also right, half the time": (on(1, midpoint, turn_ignored), 0.75, "value", "turn_ignored"),
@@ -575,6 +572,13 @@ def test_scores_follow_the_weights(answer, score, rung, misconception):
     for seed in SEEDS:
         found = judged(STEP, partial(interview, answer), seed)
         assert (found.score, found.rung, found.misconception) == (score, rung, misconception), found.message("en")
+
+
+@pytest.mark.parametrize("answer", [on(1, euler, midpoint), on(1, midpoint, euler)], ids=["euler first", "midpoint first"])
+def test_right_rules_are_not_mixed(answer):
+    for seed in SEEDS:
+        found = judged(exercise_with(mistakes=()), partial(interview, answer), seed)
+        assert (found.score, found.rung) == (0.75, "value")
 
 
 def test_of_two_mistakes_one_is_told():
@@ -652,7 +656,7 @@ def test_warnings_are_a_fault_where_the_exercise_says_so():
     found = judged(exercise_with(warnings_are_faults=True), partial(interview, warns), 0)
     assert (found.score, found.rung) == (0.0, "runs")
     assert "warns: UserWarning: divide by zero" in found.message("en")
-    silent = judged(exercise_with(warnings_are_faults=True), partial(interview, lambda s, t: euler(s, t)), 0)
+    silent = judged(exercise_with(warnings_are_faults=True), partial(interview, euler), 0)
     assert silent.passed
 
 
@@ -772,7 +776,7 @@ def test_a_wrong_graph_never_gets_full_points(ax, draw, score, rung, slug):
 OTHER_KINDS = [
     (lambda ax: ax.figure, "Figure", "図全体"),
     (lambda ax: ax.plot(T, T), "list", "リスト"),
-    (lambda ax: ax.plot(T, T)[0], "Line2D", "Line2D"),
+    (lambda ax: ax.plot(T, T)[0], "one line of the graph", "線1本"),
     (lambda ax: (ax.figure, ax), "fig, ax", "タプル"),
     (lambda ax: np.array([ax, ax]), "array", "配列"),
     (lambda ax: None, "None", "None"),
