@@ -232,7 +232,8 @@ def _need_sandbox(sandbox: bool) -> None:
 
 def _fail(message: str) -> NoReturn:
     """Say what went wrong and end with exit code 1."""
-    console.print(f"[red]error:[/] {escape(message)}", highlight=False)
+    # soft: a path that is broken into lines cannot be copied
+    console.print(f"[red]error:[/] {escape(message)}", highlight=False, soft_wrap=True)
     sys.exit(1)
 
 

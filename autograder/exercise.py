@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from course.answers import Question, Reply, reply_to
+from course.answers import Question, Reply, reply_to, trouble_of
 from course.ladder import Answered
 from course.language import Text
-from course.plain import Plain
+from course.plain import Plain, fresh, plain
 from course.tolerances import ONE_QUANTITY, Tolerance
 
 
@@ -164,10 +164,7 @@ def _as_python(arg: Plain) -> Plain:
 
 def right_value(rule: Callable[..., Any], question: Question) -> Plain:
     """Return what a right rule gives, as plain data; it works on numbers, and one that fails is a fault of ours and raises."""
-    reply = reply_to(rule, Question(question.args))
-    if reply.trouble is not None:
-        raise RuntimeError(f"{rule.__module__}.{rule.__name__} raised {reply.trouble.type}: {reply.trouble.message}")
-    return reply.value
+    return plain(rule(*map(fresh, question.args)))
 
 
 @lru_cache(maxsize=32)
@@ -178,8 +175,17 @@ def right_values(rule: Callable[..., Any], drawn: Trial) -> tuple[Plain, ...]:
 
 @lru_cache(maxsize=2048)
 def wrong_reply(wrong: Callable[..., Any], drawn: Trial, index: int) -> Reply:
-    """Return what a mistake replies to one question of a trial."""
-    return reply_to(wrong, drawn.questions[index])
+    """Return what a mistake replies to one question of a trial.
+
+    It is our own code: nothing of what is done around a student's answer is needed, and dozens are tried for one verdict.
+    """
+    question = drawn.questions[index]
+    if question.symbols:
+        return reply_to(wrong, question)
+    try:
+        return Reply(right_value(wrong, question))
+    except Exception as error:
+        return Reply(trouble=trouble_of(error))
 
 
 def check_cell(exercise: str) -> str:

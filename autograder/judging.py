@@ -205,6 +205,8 @@ def _same_reply(exercise: Exercise, a: Reply, b: Reply) -> np.ndarray:
     if first.shape != second.shape:
         return _NEVER
     finite = np.isfinite(first)
+    if finite.all():
+        return exercise.tolerance.quantities_right(second, first)
     if not np.array_equal(finite, np.isfinite(second)):
         return _NEVER
     return exercise.tolerance.quantities_right(np.where(finite, second, 0.0), np.where(finite, first, 0.0))

@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import sympy
 
 from autograder import exercises, judge
 from autograder.exercise import Exercise, trial
@@ -30,7 +31,7 @@ def own_time(answer: Callable[..., Any], exercise: Exercise, seed: int) -> float
     """Return the seconds that the answer itself takes for the cases drawn from `seed`."""
     total = 0.0
     for question in trial(exercise, seed).questions:
-        given = [fresh(arg) for arg in question.args]
+        given = sympy.symbols(f"s0:{len(question.args)}", real=True) if question.symbols else list(map(fresh, question.args))
         begin = time.perf_counter()
         with contextlib.suppress(Exception):
             answer(*given)

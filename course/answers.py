@@ -123,7 +123,7 @@ def interview(answer: object, questions: Sequence[Question], time_limit: float =
                 if reply.trouble is not None and reply.trouble.type in ("KeyboardInterrupt", "TimeUp"):
                     break
     except TimeUp as error:  # it rang between two calls, or while a hostile object was looked at
-        replies.append(Reply(trouble=_trouble(error)))
+        replies.append(Reply(trouble=trouble_of(error)))
     return Interview(replies=tuple(replies))
 
 
@@ -155,7 +155,7 @@ def reply_to(answer: Any, question: Question) -> Reply:
         after = tuple(as_given(arg) for arg in given)
         return Reply(plain(value), trouble, after, printed, warned)
     except BaseException as error:  # an object that fails while it is read is an answer that fails
-        return Reply(None, _trouble(error), (), printed, warned)
+        return Reply(None, trouble_of(error), (), printed, warned)
 
 
 def find(name: str, namespace: Mapping[str, object], cells: Sequence[str] = ()) -> tuple[object, Missing | None]:
@@ -247,13 +247,14 @@ def _called(answer: Any, given: Sequence[object]) -> tuple[object, Trouble | Non
                 with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
                     value = answer(*given)
             except BaseException as error:  # SystemExit, TimeUp and what students derive from BaseException are its business too
-                trouble = _trouble(error)
+                trouble = trouble_of(error)
     # a set first: a warning inside a loop comes back thousands of times
     warned = {f"{class_name(item.category)}: {plain_text(item.message)}"[:MAX_MESSAGE] for item in caught[:1000]}
     return value, trouble, plain_text(printed.text, MAX_PRINTED), tuple(sorted(warned)[:MAX_WARNINGS])
 
 
-def _trouble(error: BaseException) -> Trouble:
+def trouble_of(error: BaseException) -> Trouble:
+    """Return an exception as text, with the student's own line."""
     bases = [(class_name(base), base) for base in type.mro(type(error))]
     builtin = next((name for name, base in bases if getattr(builtins, name, None) is base), "Exception")
     line, number, function = _own_line(_TRACEBACK.__get__(error))
@@ -307,7 +308,7 @@ def _symbolic_reply(answer: Any, question: Question) -> Reply:
     try:
         return Reply(plain(_substituted(value, numbers)), None, question.args, printed, warned)
     except BaseException as error:
-        return Reply(None, _trouble(error), question.args, printed, warned)
+        return Reply(None, trouble_of(error), question.args, printed, warned)
 
 
 def _substituted(value: object, numbers: Mapping[Any, Any]) -> object:

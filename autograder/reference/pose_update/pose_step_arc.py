@@ -76,7 +76,7 @@ def cases(rng):
 
 def clear_of_zero(pose, distance, dtheta):
     """Is every part of the new pose far enough from zero that rounding does not matter?"""
-    return min(map(abs, reference(pose, distance, dtheta))) > 0.1
+    return min(map(abs, reference(pose, distance, dtheta))) > 0.3
 
 
 def _loses_digits(pose, distance, dtheta):

@@ -62,7 +62,7 @@ def cases(rng):
 
 def clear_of_zero(pose, displacement):
     """Is every part of the new pose far enough from zero that rounding does not matter?"""
-    return min(map(abs, reference(pose, displacement))) > 0.1
+    return min(map(abs, reference(pose, displacement))) > 0.3
 
 
 def yaw_kept(pose, displacement):

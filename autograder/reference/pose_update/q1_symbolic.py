@@ -53,7 +53,7 @@ def cases(rng):
 
 def clear_of_zero(x1, y1, theta1, u, v, phi):
     """Is every part of the new pose far enough from zero that rounding does not matter?"""
-    return min(map(abs, reference(x1, y1, theta1, u, v, phi))) > 0.1
+    return min(map(abs, reference(x1, y1, theta1, u, v, phi))) > 0.3
 
 
 def numbers_only(x1, y1, theta1, u, v, phi):
