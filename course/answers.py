@@ -314,7 +314,8 @@ def _symbolic_reply(answer: Any, question: Question) -> Reply:
 def _substituted(value: object, numbers: Mapping[Any, Any]) -> object:
     sympy = sys.modules["sympy"]
     if isinstance(value, sympy.MatrixBase | sympy.Expr):
-        return value.xreplace(numbers).evalf()
+        # not xreplace, which would build the whole expression anew
+        return value.evalf(17, subs=numbers)
     if isinstance(value, list | tuple):
         return [_substituted(item, numbers) for item in value]
     if type(value) is np.ndarray and value.dtype.kind == "O" and value.ndim <= 1:

@@ -90,11 +90,11 @@ def test_build_makes_and_verify_only_looks(small_course):
 
 
 def test_build_tells_mistakes_in_the_sources(small_course, small_source):
-    (small_course / "source/odometry/pose_update.md").write_text(small_source.replace("exercise: pose_step", "exercise: [a]"))
+    (small_course / "source/odometry/pose_update.md").write_text(small_source.replace("exercise: pose_step", "exercise: '[bold]'"))
     text, code = call("build", "--root", small_course)
     assert code == 1
     assert "error: source/odometry/pose_update.md, cell 10" in text
-    assert "[a]" in text  # not taken for markup
+    assert "[bold]" in text  # not taken for markup
 
 
 # grade: what can be told before anything runs
@@ -205,7 +205,6 @@ def test_check_works_on_the_courses_own_notebook(root):
     text, code = call("check", root / "release/en/odometry/encoders.ipynb", "--root", root)
     assert code == 0
     assert "encoders: 0 / 50" in text
-    assert "YOUR CODE" in text or "NotImplementedError" in text or "not written" in text
 
 
 # a class, from a shell
