@@ -44,7 +44,7 @@ environment: .venv/.ready    ## pin all packages anew, from the ranges in pyproj
 	@test -x $(BIN)/pip || $(PYTHON) -m venv --clear .venv || { echo "Python cannot make a virtual environment; type: apt-get install python3-venv"; exit 1; }
 	sed -n '/^uv==/,/[^\\]$$/p' environment.txt > .venv/uv.txt
 	$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes -r .venv/uv.txt
-	$(BIN)/uv pip install --quiet --require-hashes -r environment.txt
+	$(BIN)/uv pip install --quiet --compile-bytecode --require-hashes -r environment.txt
 	$(BIN)/uv pip install --quiet --no-deps --no-build-isolation -e .
 	@touch $@
 

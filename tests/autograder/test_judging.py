@@ -45,6 +45,10 @@ def judged_soon(exercise, answer, seed=0):
     return judged(exercise, partial(interview, answer, time_limit=0.1), seed)
 
 
+def judged_fully(exercise, answer, seed=0):
+    return judged(exercise, partial(interview, answer), seed)
+
+
 # --- right answers in odd dress -----------------------------------------------------------------------------------------
 
 
@@ -280,7 +284,7 @@ WRONG = {
 
 @pytest.mark.parametrize(("answer", "rung", "english", "japanese"), WRONG.values(), ids=WRONG)
 def test_wrong_answers_are_told_why(answer, rung, english, japanese):
-    found = judged_soon(POSE_STEP, answer)
+    found = (judged_soon if answer is loop else judged_fully)(POSE_STEP, answer)
     assert (found.score, found.rung) == (0.0, rung), found.message("en")
     assert english in found.message("en")
     assert japanese in found.message("ja")
@@ -309,8 +313,10 @@ def hidden_numbers(seed):
     for question in trial(POSE_STEP, seed).questions:
         for value in (*question.args, true_pose(*question.args)):
             for number in np.ravel(value):
-                if number != round(float(number), 2):
-                    yield from (f"{number:.3f}".rstrip("0"), f"{abs(number):.4g}")
+                shown = f"{abs(number):.4g}"
+                # short ones stand in messages by chance, as the number of a line
+                if len(shown) > 4:
+                    yield shown
 
 
 QUIET = [row[0] for label, row in WRONG.items() if label != "prints instead"]
@@ -499,6 +505,18 @@ def single_number(start, turn):
     return start[0]
 
 
+def division_by_zero(start, turn):
+    return [math.nan, start[1] + turn]
+
+
+def parts_of_two_lengths(start, turn):
+    return [[start[0]], [start[1], turn]]
+
+
+def unknown_key(start, turn):
+    return {}["x"]
+
+
 def asks_for_more(start, turn):
     return {"start": np.array(start), "turn": turn}
 
@@ -527,6 +545,9 @@ def exercise_with(**more):
             Mistake(sine_used, Text("The sine is used.", "sin です。")),
             Mistake(single_number, Text("One number only.", "数値が 1 つだけです。")),
             Mistake(asks_for_more, Text("A dict.", "辞書です。")),
+            Mistake(division_by_zero, Text("Divided by zero.", "0 で割っています。")),
+            Mistake(parts_of_two_lengths, Text("Two lengths.", "長さが違います。")),
+            Mistake(unknown_key, Text("No such key.", "キーがありません。")),
         ),
         "also_right": (midpoint,),
         "tolerance": LAST_AXIS,
@@ -560,6 +581,19 @@ SCORES = {
     "a mistake of form": (single_number, 0.0, "shape", "single_number"),
     "a dictionary like a known one": (asks_for_more, 0.0, "shape", "asks_for_more"),
     "another dictionary": (lambda start, turn: {"start": start, "turn": 0}, 0.0, "shape", None),
+    "NaN at a known place": (lambda start, turn: (np.nan, start[1] + turn), 0.0, "shape", "division_by_zero"),
+    "NaN at another place": (lambda start, turn: (start[0], np.nan), 0.0, "shape", None),
+    "NaN at a known place, the rest wrong": (lambda start, turn: (np.nan, start[1]), 0.0, "shape", None),
+    "known parts of two lengths": (
+        lambda start, turn: ([start[0]], np.array([start[1], turn])),
+        0.0,
+        "shape",
+        "parts_of_two_lengths",
+    ),
+    "other parts of two lengths": (lambda start, turn: [[start[0]], [start[1], 7.0]], 0.0, "shape", None),
+    "more parts of two lengths": (lambda start, turn: [[start[0]], [start[1], turn], [0.0]], 0.0, "shape", None),
+    "a known error": (lambda start, turn: {1: 2}["y"], 0.0, "runs", "unknown_key"),
+    "nearly a known mistake": (lambda start, turn: [start[0] + 1.001 * math.sin(start[1]), 0.0], 0.0, "value", None),
     "nothing known": (lambda start, turn: [7.0, -7.0], 0.0, "value", None),
     "right up to a factor": (lambda start, turn: [euler(start, turn)[0], 2 * euler(start, turn)[1]], 0.0, "unit", None),
     "wrong form somewhere": (on(1, euler, lambda *_: 7.0), 0.75, "shape", None),
@@ -570,8 +604,24 @@ SCORES = {
 @pytest.mark.parametrize(("answer", "score", "rung", "misconception"), SCORES.values(), ids=SCORES)
 def test_scores_follow_the_weights(answer, score, rung, misconception):
     for seed in SEEDS:
-        found = judged(STEP, partial(interview, answer), seed)
+        found = judged_fully(STEP, answer, seed)
         assert (found.score, found.rung, found.misconception) == (score, rung, misconception), found.message("en")
+
+
+def spoiling(answer):
+    def spoils_start(start, turn):
+        result = answer(start, turn)
+        start.append(0.0)
+        return result
+
+    return spoils_start
+
+
+@pytest.mark.parametrize("answer", [euler, single_number, lambda start, turn: 1 / 0], ids=["right", "wrong", "raises"])
+def test_changed_inputs_are_no_sign_of_a_mistake(answer):
+    found = judged_fully(STEP, spoiling(answer))
+    assert (found.score, found.misconception) == (0.0, None)
+    assert found.rung == ("runs" if answer not in {euler, single_number} else "inputs")
 
 
 @pytest.mark.parametrize("answer", [on(1, euler, midpoint), on(1, midpoint, euler)], ids=["euler first", "midpoint first"])
@@ -582,17 +632,17 @@ def test_right_rules_are_not_mixed(answer):
 
 
 def test_of_two_mistakes_one_is_told():
-    message = judged(STEP, partial(interview, both_mistakes), 0).message("en")
+    message = judged_fully(STEP, both_mistakes).message("en")
     assert ("The turn is missing." in message) + ("The sine is used." in message) == 1
 
 
 def test_partial_credit_says_what_is_right_already():
-    found = judged(STEP, partial(interview, on(1, euler, turn_ignored)), 0)
+    found = judged_fully(STEP, on(1, euler, turn_ignored))
     assert found.message("en") == "The turn is missing.\nRight already: left. Not yet: right."
     assert found.message("ja") == "回転がありません。\nできている入力: 左。まだの入力: 右。"
     assert found.state == "partly"
-    assert "Right already" not in judged(STEP, partial(interview, turn_ignored), 0).message("en")
-    assert judged(STEP, partial(interview, euler), 0).message("en") == "Tried with: left; right."
+    assert "Right already" not in judged_fully(STEP, turn_ignored).message("en")
+    assert judged_fully(STEP, euler).message("en") == "Tried with: left; right."
 
 
 def offset(index):
@@ -606,7 +656,7 @@ def offset(index):
 
 @pytest.mark.parametrize(("index", "wrong", "fine"), [(0, "x", "theta"), (1, "theta", "x")])
 def test_wrong_quantities_are_named(index, wrong, fine):
-    found = judged(STEP, partial(interview, offset(index)), 0)
+    found = judged_fully(STEP, offset(index))
     assert found.message("en").startswith(f"{wrong} is not right; {fine} is.")
     assert found.message("ja").startswith(f"{wrong} の値が正しくありません({fine} は合っています)")
 
@@ -652,7 +702,7 @@ def test_warnings_are_a_fault_where_the_exercise_says_so():
         warnings.warn("divide by zero", stacklevel=1)
         return euler(start, turn)
 
-    assert judged(STEP, partial(interview, warns), 0).score == 1.0
+    assert judged_fully(STEP, warns).score == 1.0
     found = judged(exercise_with(warnings_are_faults=True), partial(interview, warns), 0)
     assert (found.score, found.rung) == (0.0, "runs")
     assert "warns: UserWarning: divide by zero" in found.message("en")
@@ -754,7 +804,7 @@ def ax():
 def test_a_right_graph_passes(ax):
     ax.plot(T, T**2)
     ax.set(xlabel="t [s]", ylabel="x [m]")
-    found = judged(GRAPH, partial(interview, ax), 0)
+    found = judged_fully(GRAPH, ax)
     assert (found.score, found.rung, found.misconception) == (1.0, None, None)
     assert "right data" in found.message("en")
 
@@ -769,7 +819,7 @@ GRAPHS = [
 @pytest.mark.parametrize(("draw", "score", "rung", "slug"), GRAPHS)
 def test_a_wrong_graph_never_gets_full_points(ax, draw, score, rung, slug):
     draw(ax)
-    found = judged(GRAPH, partial(interview, ax), 0)
+    found = judged_fully(GRAPH, ax)
     assert (found.score, found.rung, found.misconception) == (score, rung, slug)
 
 
@@ -789,7 +839,7 @@ OTHER_KINDS = [
 
 @pytest.mark.parametrize(("bound", "english", "japanese"), OTHER_KINDS)
 def test_what_is_no_axes_is_told_kindly(ax, bound, english, japanese):
-    found = judged(GRAPH, partial(interview, bound(ax), time_limit=0.1), 0)
+    found = judged_fully(GRAPH, bound(ax))
     assert (found.score, found.rung) == (0.0, "callable")
     assert english in found.message("en")
     assert japanese in found.message("ja")
@@ -808,7 +858,7 @@ def test_a_forged_summary_is_no_graph(figure):
 
 
 def test_a_function_is_no_graph_and_a_graph_no_function(ax):
-    assert judged(GRAPH, partial(interview, true_pose), 0).rung == "callable"
+    assert judged_fully(GRAPH, true_pose).rung == "callable"
     found = judge("pose_step", ax, 0)
     assert found.rung == "callable"
     assert "Axes of a graph" in found.message("en")

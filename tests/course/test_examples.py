@@ -54,7 +54,7 @@ def public_examples(tmp_path, monkeypatch):
 
 
 def judged(name, answer):
-    return verdict_from_examples(name, lambda questions: interview(answer, questions, time_limit=0.1))
+    return verdict_from_examples(name, lambda questions: interview(answer, questions, 0.1 if answer is endless else 20.0))
 
 
 def double(values):
@@ -98,6 +98,9 @@ WRONG = [
     ("double", lambda values: [2 * values[0], 7.0], "value", "gives [2., 7.]; the example says [ 2., -1.]"),
     ("double", lambda values: 2.0, "shape", "This happens in the example double([ 1. , -0.5])"),
     ("double", lambda values: 2 * values, "shape", "This happens in the example double([3, 0.25])"),
+    ("double", lambda values: np.zeros(2) if isinstance(values, np.ndarray) else None, "value", "the example says [ 2., -1.]"),
+    ("double", lambda values: np.zeros(2) if isinstance(values, np.ndarray) else [1.0], "value", "the example says [ 2., -1.]"),
+    ("double", lambda values: np.zeros(2) if isinstance(values, np.ndarray) else [np.nan] * 2, "value", "the example says"),
     ("double", spoil, "inputs", "This happens in the example double([ 1. , -0.5])"),
     ("double", lambda values: values.shape, "shape", "double([ 1. , -0.5])"),
     ("double", endless, "runs", "double([ 1. , -0.5])"),

@@ -292,7 +292,14 @@ def test_an_input_that_was_spoilt_is_read_to_an_end(spoilt):
 @pytest.mark.parametrize("value", [10**400, -(2**63) - 1, "1", None, [1.0], {}, Odd("other", "C"), np.array([None])])
 def test_numeric_takes_numbers_only(value):
     array = numeric(value)
+    assert (array is not None) == (type(value) is int)
     assert array is None or array.dtype.kind == "f"
+
+
+@pytest.mark.parametrize("value", [3, -7, 2**63 - 1, 0.5, True, np.arange(3), np.array(2)])
+def test_numeric_takes_all_numbers(value):
+    assert np.array_equal(numeric(value), value)
+    assert numeric(value).dtype == np.asarray(value).dtype
 
 
 def test_numeric_believes_no_subclass():
