@@ -47,7 +47,7 @@ class GradebookWriter:
             rows = {entry.name: entry for entry in submission.notebooks}
             for notebook in graded:
                 before, after = _written_before(paths[notebook.notebook]), _written_texts(notebook.executed)
-                rewritten = {name for name, text in before.items() if text != after.get(name, "")}
+                rewritten = {name for name, text in before.items() if text != after.get(name)}
                 _enter(rows[notebook.notebook], notebook.results, rewritten)
             self._gradebook.db.commit()
         except BaseException:
@@ -130,16 +130,15 @@ def _complete(session: Any, submission: Any) -> None:
     """Give the submission every notebook, grade and comment that the assignment has by now."""
     from nbgrader.api import Comment, Grade, SubmittedNotebook
 
-    # half of a new row must not be flushed by a look at another
-    with session.no_autoflush:
-        present = {entry.notebook.name: entry for entry in submission.notebooks}
-        for notebook in submission.assignment.notebooks:
-            entry = present.get(notebook.name) or SubmittedNotebook(notebook=notebook, assignment=submission)
-            session.add(entry)
-            graded = {grade.cell.name for grade in entry.grades}
-            entry.grades.extend(Grade(cell=cell) for cell in notebook.grade_cells if cell.name not in graded)
-            commented = {comment.cell.name for comment in entry.comments}
-            entry.comments.extend(Comment(cell=cell) for cell in notebook.solution_cells if cell.name not in commented)
+    present = {entry.notebook.name: entry for entry in submission.notebooks}
+    for notebook in submission.assignment.notebooks:
+        entry = present.get(notebook.name) or SubmittedNotebook(notebook=notebook, assignment=submission)
+        # at once: what follows looks into the database, which writes what is there so far
+        session.add(entry)
+        graded = {grade.cell.name for grade in entry.grades}
+        entry.grades.extend(Grade(cell=cell) for cell in notebook.grade_cells if cell.name not in graded)
+        commented = {comment.cell.name for comment in entry.comments}
+        entry.comments.extend(Comment(cell=cell) for cell in notebook.solution_cells if cell.name not in commented)
     session.flush()
 
 

@@ -61,7 +61,11 @@ def verdict(exercise: Exercise, drawn: Trial, talk: Interview, seed: int | None 
     expected, faults, score = _best_rule(exercise, drawn, replies)
     if not any(faults):
         return Verdict(exercise.name, 1.0, _passed_text(drawn, replies), seed=seed)
-    broken = min((fault for fault in faults if fault is not None), key=lambda fault: fault.height)
+    # a warning is told only where nothing else is wrong
+    broken = min(
+        (fault for fault in faults if fault is not None),
+        key=lambda fault: (fault.harmless and fault.rung == "runs", fault.height),
+    )
     slug, rung, text = _diagnosis(exercise, drawn, replies, expected, faults, broken)
     return Verdict(exercise.name, score, text + _standing(drawn, faults), rung=rung, misconception=slug, seed=seed)
 
@@ -119,9 +123,9 @@ def _diagnosis(  # noqa: PLR0913 - the whole evidence on one answer
     unwritten = next((r.trouble for r in replies if r.trouble is not None and r.trouble.builtin == "NotImplementedError"), None)
     if unwritten is not None:
         return None, "runs", explained_trouble(exercise.name, unwritten)
-    mistake = _recognised(exercise, drawn, replies, faults)
+    mistake, whole = _recognised(exercise, drawn, replies, faults)
     if mistake is not None:
-        return mistake.slug, broken.rung, mistake.message
+        return mistake.slug, broken.rung, mistake.message if whole else _IN_PART + mistake.message
     if broken.rung != "value":
         return None, broken.rung, broken.text
     given = [numeric(reply.value) for reply in replies]
@@ -132,17 +136,19 @@ def _diagnosis(  # noqa: PLR0913 - the whole evidence on one answer
     return None, "value", _value_text(exercise.answered, given, right, faults)  # type: ignore[arg-type]
 
 
-def _recognised(exercise: Exercise, drawn: Trial, replies: Sequence[Reply], faults: Sequence[Fault | None]) -> Mistake | None:
-    """Return the mistake whose outputs the answer shows, or None.
+def _recognised(
+    exercise: Exercise, drawn: Trial, replies: Sequence[Reply], faults: Sequence[Fault | None]
+) -> tuple[Mistake | None, bool]:
+    """Return the mistake whose outputs the answer shows, or None; and whether it explains all that was wrong.
 
     Best is one that agrees in all cases; then one that explains every case that failed; then one that explains a quantity that
     was wrong (two mistakes at once: the first of them is told).
     """
-    # where only the inputs were changed the value may be right, and then it is no sign of any mistake
-    failing = [index for index, fault in enumerate(faults) if fault is not None and fault.rung != "inputs"]
+    # a value that may be right is no sign of any mistake
+    failing = [index for index, fault in enumerate(faults) if fault is not None and not fault.harmless]
     passing = [index for index in range(len(faults)) if index not in failing]
     if not failing:
-        return None
+        return None, False
     wrong = _wrong_quantities(faults)
     explains_failures, explains_quantity = None, None
     for mistake in exercise.mistakes:
@@ -154,9 +160,9 @@ def _recognised(exercise: Exercise, drawn: Trial, replies: Sequence[Reply], faul
             continue
         elsewhere = _agreement(exercise, mistake, drawn, replies, passing, None)
         if not passing or (elsewhere is not None and elsewhere.all()):
-            return mistake
+            return mistake, True
         explains_failures = explains_failures or mistake
-    return explains_failures or explains_quantity
+    return explains_failures or explains_quantity, explains_failures is not None
 
 
 def _wrong_quantities(faults: Sequence[Fault | None]) -> np.ndarray | None:
@@ -182,13 +188,18 @@ def _agreement(  # noqa: PLR0913 - the evidence, and how much of it must agree
     agreement: np.ndarray | None = None
     for index in indices:
         same = _same_reply(exercise, wrong_reply(mistake.wrong, drawn, index), replies[index])
-        agreement = same if agreement is None or len(same) != len(agreement) else agreement & same
+        agreement = same if agreement is None else _both(agreement, same)
         telling = (
             agreement.all() if wrong is None or len(wrong) != len(agreement) else (agreement & wrong).any() or agreement.all()
         )
         if not telling:
             return None
     return agreement
+
+
+def _both(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return where both agree; (1,) stands for all quantities, and replies of different kinds never agree."""
+    return a & b if len(a) == len(b) or 1 in (len(a), len(b)) else _NEVER
 
 
 _NEVER, _ALWAYS = np.array([False]), np.array([True])
@@ -281,6 +292,7 @@ def _place(entries: np.ndarray) -> Text:
     return _FROM_ENTRY.format(index=int(wrong[0]))
 
 
+_IN_PART = Text("Part of what is wrong looks like this: ", "違いの一部は、次の間違いに当てはまります: ")
 _PASSED = Text("Tried with: {groups}.", "確かめた入力: {groups}。")
 _GRAPH_PASSED = Text(
     "The graph shows the right data, and its axes are labelled.", "グラフのデータも軸ラベルも正しく描けています。"

@@ -42,11 +42,15 @@ class Answered:
 
 @dataclass(frozen=True)
 class Fault:
-    """The rung at which one call broke, what to say of it, and which quantities were wrong ((k,) of bool, if it came that far)."""
+    """The rung at which one call broke, what to say of it, and which quantities were wrong ((k,) of bool, if it came that far).
+
+    `harmless`: the value itself may be right, as where inputs were changed or a warning is the whole fault.
+    """
 
     rung: str
     text: Text
     wrong: np.ndarray | None = field(default=None, compare=False)
+    harmless: bool = False
 
     @property
     def height(self) -> int:
@@ -71,17 +75,19 @@ def call_fault(answered: Answered, question: Question, expected: Plain, reply: R
     if reply.trouble is not None:
         return Fault("runs", explained_trouble(answered.name, reply.trouble))
     if not all(map(identical, question.args, reply.inputs)) or len(question.args) != len(reply.inputs):
-        return Fault("inputs", _changed_inputs(answered, question, reply))
+        return Fault("inputs", _changed_inputs(answered, question, reply), harmless=True)
     form = _form_fault(expected, reply)
     if form is not None:
         return form
-    if answered.warnings_are_faults and reply.warned:
-        return Fault("runs", _WARNED.format(name=answered.name, warning=shown(reply.warned[0])))
     given, right = numeric(reply.value), numeric(expected)
     assert given is not None
     assert right is not None
     correct = answered.tolerance.quantities_right(given, right)
-    return None if correct.all() else Fault("value", Text("", ""), wrong=~correct)
+    if not correct.all():
+        return Fault("value", Text("", ""), wrong=~correct)
+    if answered.warnings_are_faults and reply.warned:
+        return Fault("runs", _WARNED.format(name=answered.name, warning=shown(reply.warned[0])), harmless=True)
+    return None
 
 
 def stands_for_truth(expected: Plain) -> bool:
@@ -161,9 +167,10 @@ def names_of_wrong(answered: Answered, faults: Sequence[Fault]) -> tuple[list[st
 
 
 _WARNED = Text(
-    "{name} gives the right numbers but warns: {warning}. A warning here says that a division by zero was computed and thrown away; "
-    "choose the formula before computing, not afterwards.",
-    "{name} の値は正しいのですが、警告が出ました: {warning}。0 で割った値を計算してから捨てているようです。計算する前に式を選びましょう。",
+    "{name} gives the right numbers but warns: {warning}. In this exercise a warning is a fault. If it speaks of a division or an "
+    "invalid value, something was computed and thrown away: choose the formula before computing, not afterwards.",
+    "{name} の値は正しいのですが、警告が出ました: {warning}。この課題では警告も誤りとします。割り算や invalid value の警告なら、"
+    "計算してから捨てている値があります。計算する前に式を選びましょう。",
 )
 _CHANGED = Text(
     "Your function changes its input ({names}). Whoever calls it still needs the old values, and a second run of the cell gives "

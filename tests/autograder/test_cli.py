@@ -90,7 +90,9 @@ def test_build_makes_and_verify_only_looks(small_course):
 
 
 def test_build_tells_mistakes_in_the_sources(small_course, small_source):
-    (small_course / "source/odometry/pose_update.md").write_text(small_source.replace("exercise: pose_step", "exercise: '[bold]'"))
+    (small_course / "source/odometry/pose_update.md").write_text(
+        small_source.replace("exercise: pose_step", "exercise: '[bold]'")
+    )
     text, code = call("build", "--root", small_course)
     assert code == 1
     assert "error: source/odometry/pose_update.md, cell 10" in text

@@ -69,6 +69,9 @@ HOSTILE = {
     "reference": "[x]\n\n[x]: javascript:alert(1)",
     "collapsed reference": "[x][]\n\n[x]:\njavascript:alert(1)",
     "automatic link": "<javascript:alert(1)>",
+    "link in HTML": "<a href='javascript:alert(1)'>x</a>",
+    "link in HTML with entities": "<a href='java&#115;cript:alert(1)'>x</a>",
+    "data URL in HTML": "<a href='data:text/html,<script>alert(1)</script>'>x</a>",
     "svg": "<svg onload=alert(1)><animate onbegin=alert(1)></svg>",
     "iframe": "<iframe srcdoc='<script>alert(1)</script>'></iframe>",
     "style": "<style>body {display: none}</style>",
@@ -107,6 +110,8 @@ def test_no_markdown_acts_on_the_page_that_nbgrader_makes_of_it(source):
     assert {tag for tag, _ in page.tags} <= HARMLESS
     for _, attributes in page.tags:
         assert attributes.keys() <= {"href", "title", "rel", "class", "id"}
+        # nbconvert would have a program draw it
+        assert "mermaid" not in (attributes.get("class") or "").lower()
         assert urlsplit(attributes.get("href") or "").scheme in ("", "http", "https", "mailto")
     # MathJax reads the page's text
     assert not re.search(r"\\(href|style|cssId|class|require)\b", page.text)

@@ -127,7 +127,7 @@ def test_right_values_are_plain_data():
 
 
 def test_a_right_rule_that_fails_is_a_fault_of_ours():
-    with pytest.raises(RuntimeError, match=r"test_exercise\.reference raised TypeError: .*not iterable"):
+    with pytest.raises(TypeError, match="not iterable"):
         right_value(reference, Question((1.0, 3)))
 
 

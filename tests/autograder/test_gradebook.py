@@ -249,6 +249,17 @@ def test_failing_half_way_leaves_gradebook_and_notebooks_as_they_were(course, mo
     assert {path: path.read_bytes() for path in course.glob("autograded/**/*.ipynb")} == files
 
 
+def test_a_submission_that_fails_leaves_nothing_behind_in_the_next_one(course):
+    good = graded(course)
+    broken = [*graded(course, pose_step=0.0), GradedNotebook("no_such_notebook", "en", good[1].results, good[1].executed)]
+    with GradebookWriter(course, "odometry") as gradebook:
+        with pytest.raises(KeyError):
+            gradebook.write("ann", broken)
+        gradebook.write("bob", good)
+    with Gradebook(f"sqlite:///{course}/gradebook.db", "dead-reckoning") as opened:
+        assert [submission.student.id for submission in opened.assignment_submissions("odometry")] == ["bob"]
+
+
 def test_a_run_that_stopped_before_the_notebooks_were_in_place_loses_no_flag(course, grades, monkeypatch):
     write(course)
     by_hand(course, "q1_derivation", 7.0)

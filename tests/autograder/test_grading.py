@@ -10,6 +10,7 @@ from autograder.grading import Work, graded_submission, notebook_names, release_
 from autograder.intake import NOT_HANDED_IN
 from autograder.session import Limits, NoSandboxError, SessionEndedError
 from course.language import Text
+from course.verdict import Verdict
 
 POINTS = {"pose_step": 5.0, "displacement": 5.0, "q1_derivation": 10.0, "distance_per_count": 5.0}
 WRONG_SIN_COS = (
@@ -316,6 +317,17 @@ def test_hostile_outputs_do_not_fill_the_graders_memory(grade, answered, monkeyp
     results, graded = grade(pose_update=answered(edit=with_cell("1", None)))
     assert results["pose_step"].status == "stopped"
     assert len(graded["pose_update"].executed) < 10**7
+
+
+def test_no_message_hides_anything_whoever_wrote_it(grade, answered, monkeypatch):
+    hidden = Text("x\x1b\u202e\ud800", "あ\0")
+    monkeypatch.setattr(grading, "Session", Played)
+    monkeypatch.setattr(Played, "outputs", [], raising=False)
+    monkeypatch.setattr(grading, "judged", lambda exercise, ask: Verdict(exercise.name, 0.0, hidden, rung="value"))
+    for language, seen in (("en", "x\\u001b\\u202e\\ud800"), ("ja", "あ\\u0000")):
+        results, graded = grade(pose_update=answered("pose_update", language))
+        assert results["pose_step"].message == seen
+        assert outputs(graded["pose_update"], 'check("pose_step")')[0]["traceback"][-1] == seen
 
 
 # the release

@@ -190,6 +190,13 @@ def test_nothing_is_to_be_written_outside_its_own_folders(sandboxed, path):
 
 
 @pytest.mark.sandbox
+@pytest.mark.parametrize("path", ["/", "/dev", "/usr", "/box/lib/course", "/box/data"])
+def test_what_is_not_its_own_is_read_only_for_whoever_runs_it(sandboxed, path):
+    """Started by an ordinary user, the notebook's process owns the sandbox's folders."""
+    assert text(sandboxed.run(f"import os\nbool(os.statvfs({path!r}).f_flag & os.ST_RDONLY)")) == "True"
+
+
+@pytest.mark.sandbox
 @pytest.mark.parametrize("folder", ["/tmp", "/box/work"])
 def test_its_own_folders_are_small(sandboxed, folder):
     fill = f"import os\nnames = [f'{folder}/{{n}}' for n in range(4)]\ntry:\n    for name in names: open(name, 'wb').write(bytes(30 * 2**20))\n"

@@ -41,6 +41,7 @@ def cases(rng):
         lambda: (rng.integers(1, 5, 3) * rng.choice([-1, 1], 3), int(rng.integers(1, 4)), int(rng.choice([-2, -1, 1, 2]))),
         clear_of_zero,
     )
+    as_list = until(lambda: (list(map(float, pose(rng))), 1, heading(rng)), clear_of_zero)
     still = pose(rng), 0.0, magnitudes(rng, 0.2, 0.9)
     return [
         Group(Text("forward, turning left", "前進しながら左旋回"), 2, [step(1, 1) for _ in range(3)]),
@@ -52,13 +53,13 @@ def cases(rng):
             2,
             [until(draw, clear_of_zero) for draw in (far_turned, across_pi)],
         ),
-        Group(Text("lists and whole numbers", "リストや整数の入力"), 1, [whole, (list(map(float, pose(rng))), 1, heading(rng))]),
+        Group(Text("lists and whole numbers", "リストや整数の入力"), 1, [whole, as_list]),
     ]
 
 
 def clear_of_zero(pose, distance, dtheta):
     """Is every part of the new pose far enough from zero that rounding does not matter?"""
-    return min(map(abs, reference(pose, distance, dtheta))) > 0.1
+    return min(map(abs, reference(pose, distance, dtheta))) > 0.3
 
 
 def sin_cos_exchanged(pose, distance, dtheta):
