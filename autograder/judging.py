@@ -198,8 +198,8 @@ def _agreement(  # noqa: PLR0913 - the evidence, and how much of it must agree
 
 
 def _both(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return where both agree; (1,) stands for all quantities, and replies of different kinds never agree."""
-    return a & b if len(a) == len(b) or 1 in (len(a), len(b)) else _NEVER
+    """Return where both agree; (1,) stands for all quantities, and so do replies of which the quantities do not correspond."""
+    return a & b if len(a) == len(b) or 1 in (len(a), len(b)) else np.array([a.all() and b.all()])
 
 
 _NEVER, _ALWAYS = np.array([False]), np.array([True])

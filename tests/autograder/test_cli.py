@@ -212,21 +212,17 @@ def test_check_works_on_the_courses_own_notebook(root):
 # a class, from a shell
 
 
-@pytest.fixture(scope="module")
-def class_graded(tmp_path_factory):
-    """(the root, what the command printed): three students, of whom two are asked for."""
-    root = tmp_path_factory.mktemp("class")
-    shutil.copytree(ROOT / "release", root / "release")
-    shutil.copy(ROOT / "nbgrader_config.py", root)
-    for student, content in {
-        "s1": (root / "release/en/odometry/encoders.ipynb").read_bytes(),
-        "s2": b"broken",
-        "other": b"broken",
-    }.items():
-        folder = root / "submitted" / student / "odometry"
+def test_grade_fills_gradebook_autograded_and_json_and_prints_a_row_for_each_student(tmp_path):
+    """Three students, of whom two are asked for; a new gradebook, and the environment is not activated."""
+    from nbgrader.api import Gradebook
+
+    shutil.copytree(ROOT / "release", tmp_path / "release")
+    shutil.copy(ROOT / "nbgrader_config.py", tmp_path)
+    english = (ROOT / "release/en/odometry/encoders.ipynb").read_bytes()
+    for student, content in {"s1": english, "s2": b"broken", "other": b"broken"}.items():
+        folder = tmp_path / "submitted" / student / "odometry"
         folder.mkdir(parents=True)
         (folder / "encoders.ipynb").write_bytes(content)
-    # a new gradebook needs nbgrader's alembic, whether or not the environment is activated
     programs = str(Path(sys.executable).parent)
     path = os.pathsep.join(folder for folder in os.environ["PATH"].split(os.pathsep) if folder != programs)
     done = subprocess.run(
@@ -234,30 +230,20 @@ def class_graded(tmp_path_factory):
             *(sys.executable, "-m", "autograder.cli", "grade", "odometry", "--student", "s*", "--workers", "1"),
             *("--json", "out/scores.json", "--no-sandbox"),
         ],
-        cwd=root,
+        cwd=tmp_path,
         env={**os.environ, "PATH": path, "PYTHONPATH": str(ROOT)},
         capture_output=True,
         text=True,
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    return root, done.stdout
 
+    printed = {words[1]: " ".join(words) for line in done.stdout.splitlines() if len(words := line.split()) > 3}
+    assert "0 / 50" in printed["s1"]
+    assert "pose_update: missing, encoders: unreadable" in printed["s2"]
+    assert "other" not in printed
 
-def test_grade_prints_a_row_for_each_student(class_graded):
-    _, printed = class_graded
-    rows = {
-        words[1]: words for line in printed.splitlines() if len(words := line.split()) > 3 and words[1] in ("s1", "s2", "other")
-    }
-    assert rows.keys() == {"s1", "s2"}
-    assert "0 / 50" in " ".join(rows["s1"])
-    assert "pose_update: missing" in printed
-    assert "encoders: unreadable" in printed
-
-
-def test_grade_writes_json_a_line_for_each_exercise(class_graded):
-    root, _ = class_graded
-    rows = [json.loads(line) for line in (root / "out/scores.json").read_text(encoding="utf-8").splitlines()]
+    rows = [json.loads(line) for line in (tmp_path / "out/scores.json").read_text(encoding="utf-8").splitlines()]
     assert [*rows[0]] == [
         *("student", "assignment", "notebook", "exercise", "score", "max_score", "message", "misconception", "status")
     ]
@@ -268,22 +254,14 @@ def test_grade_writes_json_a_line_for_each_exercise(class_graded):
         ("s2", "encoders"): "unreadable",
     }
     # an English edition is answered in English, and so is the notebook that is missing beside it
-    assert {row["message"] for row in rows if row["student"] == "s1" and row["status"] == "missing"} == {
-        "This notebook was not handed in."
-    }
+    missing = {row["message"] for row in rows if row["student"] == "s1" and row["status"] == "missing"}
+    assert missing == {"This notebook was not handed in."}
     assert all("ノートブック" in row["message"] for row in rows if row["student"] == "s2")
 
-
-def test_grade_fills_gradebook_and_autograded(class_graded):
-    from nbgrader.api import Gradebook
-
-    root, _ = class_graded
-    with Gradebook(f"sqlite:///{root}/gradebook.db", "dead-reckoning") as gradebook:
-        assert {submission.student.id: submission.score for submission in gradebook.assignment_submissions("odometry")} == {
-            "s1": 0,
-            "s2": 0,
-        }
-    assert sorted(path.relative_to(root).as_posix() for path in root.glob("autograded/*/*/*")) == [
+    with Gradebook(f"sqlite:///{tmp_path}/gradebook.db", "dead-reckoning") as gradebook:
+        scores = {submission.student.id: submission.score for submission in gradebook.assignment_submissions("odometry")}
+    assert scores == {"s1": 0, "s2": 0}
+    assert sorted(path.relative_to(tmp_path).as_posix() for path in tmp_path.glob("autograded/*/*/*")) == [
         f"autograded/{student}/odometry/{name}.ipynb" for student in ("s1", "s2") for name in ("encoders", "pose_update")
     ]
 
