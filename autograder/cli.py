@@ -11,8 +11,8 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
+from autograder.engine import Options
 from autograder.grading import GradedNotebook, Result
-from autograder.session import Limits
 
 app = typer.Typer(
     help="Build the notebooks, grade a class, and see what became of it. Run it in the root of the course.",
@@ -68,7 +68,7 @@ def grade(  # noqa: PLR0913 - each is an option of the command
     Each notebook runs in a sandbox of its own; the judge sits outside. A submission that cannot be read or run gets zeros with a
     reason, and never holds up the others.
     """
-    results = grade_class(root.resolve(), assignment, student=student, workers=workers, sandbox=not no_sandbox)
+    results = grade_class(root.resolve(), assignment, Options(student, workers, not no_sandbox))
     if json_file is not None:
         write_json(json_file, results)
     output.print(class_table(assignment, results))
@@ -121,7 +121,7 @@ def demo(
     except MissingReleaseError as error:
         _fail(str(error))
     folder = make_class(root.resolve())
-    results = grade_class(folder, ASSIGNMENT, workers=workers, sandbox=not no_sandbox, limits=LIMITS)
+    results = grade_class(folder, ASSIGNMENT, Options(workers=workers, sandbox=not no_sandbox, limits=LIMITS))
     write_json(folder / "results.json", results)
     rows = compared_rows(given_scores(folder, ASSIGNMENT, results))
     table = Table(title="Sample class: expected against given", caption=f"gradebook: {folder / 'gradebook.db'}")
@@ -136,46 +136,28 @@ def demo(
     output.print(f"[green]All {len(results)} results are as expected[/]; the table shows those that are not simply right.")
 
 
-def grade_class(  # noqa: PLR0913 - the options of the command
-    root: Path,
-    assignment: str,
-    student: str = "*",
-    workers: int = 0,
-    sandbox: bool = True,
-    limits: Limits | None = None,
-) -> list[Result]:
+def grade_class(root: Path, assignment: str, options: Options) -> list[Result]:
     """Grade a class with a progress bar and return all results, by student."""
-    from autograder.engine import MissingReleaseError, Options, graded, release_notebooks, students_with
-    from autograder.gradebook import GradebookWriter
-    from autograder.registering import RegistrationError
-    from autograder.session import NoSandboxError
+    from autograder.batch import BatchError
+    from autograder.batch import grade_class as graded_class
 
+    bar = Progress(
+        SpinnerColumn(), TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"),
+        console=console,
+    )  # fmt: skip
     try:
-        release_notebooks(root, assignment)
-    except (KeyError, MissingReleaseError) as error:
-        _fail(str(error.args[0]))
-    _need_sandbox(sandbox)
-    options = Options(student, workers, sandbox, limits or Limits())
-    try:
-        students = students_with(root, assignment, student)
-        if not students:
-            _fail(f"nobody handed in {assignment!r}: there is no folder that fits {root / 'submitted' / student / assignment}")
-        bar = Progress(
-            SpinnerColumn(), TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"),
-            console=console,
-        )  # fmt: skip
-        results: dict[str, list[Result]] = {}
-        with bar, GradebookWriter(root, assignment) as gradebook:
-            task = bar.add_task("", total=len(students))
-            for name, notebooks in graded(root, assignment, options):
-                gradebook.write(name, notebooks)
-                results[name] = [result for notebook in notebooks for result in notebook.results]
-                bar.update(task, advance=1, description=escape(name[:30]))
-    except (NoSandboxError, RegistrationError) as error:
+        with bar:
+            task = bar.add_task("")
+            return graded_class(
+                root,
+                assignment,
+                options,
+                lambda done, count, student: bar.update(task, completed=done, total=count, description=escape(student[:30])),
+            )
+    except BatchError as error:
         _fail(str(error))
     except KeyboardInterrupt:
         _fail("Stopped. What was graded so far is in the gradebook; type the same command again for the rest.")
-    return [result for name in students for result in results[name]]
 
 
 def write_json(path: Path, results: list[Result]) -> None:

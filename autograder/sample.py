@@ -109,7 +109,7 @@ def make_class(root: Path) -> Path:
     shutil.copytree(root / "release", folder / "release")
     shutil.copy(root / "nbgrader_config.py", folder)
     for name in notebook_names(ASSIGNMENT):
-        solved = {language: _solutions(root, f"{ASSIGNMENT}/{name}", language) for language in ("ja", "en")}
+        solved = {language: solutions(root, f"{ASSIGNMENT}/{name}", language) for language in ("ja", "en")}
         for student, plan in STUDENTS.items():
             target = folder / "submitted" / student / ASSIGNMENT / f"{name}.ipynb"
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -176,7 +176,7 @@ def _mistake(exercise: str, slug: str) -> Any:
     return next(mistake.wrong for mistake in exercise_named(exercise).mistakes if mistake.slug == slug)
 
 
-def _solutions(root: Path, notebook: str, language: str) -> dict[str, str]:
+def solutions(root: Path, notebook: str, language: str) -> dict[str, str]:
     """Return the teacher's answers of one notebook by grade id, without the marks around them."""
     text = (root / "source" / f"{notebook}.md").read_text(encoding="utf-8")
     cells = edition(source_cells(text, notebook), notebook, language).cells
