@@ -11,7 +11,7 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from autograder.engine import Options
+from autograder.engine import MAX_ATTEMPTS, Options
 from autograder.grading import GradedNotebook, Result
 
 app = typer.Typer(
@@ -60,15 +60,24 @@ def grade(  # noqa: PLR0913 - each is an option of the command
     student: Annotated[str, typer.Option(help="Only students whose name fits this pattern, such as 's2*'.")] = "*",
     workers: Annotated[int, typer.Option(min=0, help="How many submissions at a time; 0: one for each processor.")] = 0,
     json_file: Annotated[Path | None, typer.Option("--json", help="Write one JSON object a line for each exercise.")] = None,
+    regrade: Annotated[bool, typer.Option("--regrade", help="Grade again what has not changed since it was graded.")] = False,
+    attempts: Annotated[
+        int, typer.Option(min=1, help="How many different versions of a notebook a student may have graded.")
+    ] = MAX_ATTEMPTS,
+    scheduler: Annotated[
+        str, typer.Option(metavar="ADDRESS", help="Grade on a Dask cluster instead of here, such as tcp://10.0.0.5:8786.")
+    ] = "",
     no_sandbox: NoSandbox = False,
     root: Root = Path(),
 ) -> None:
     """Grade what students handed in under submitted/STUDENT/ASSIGNMENT/, into the gradebook and autograded/.
 
     Each notebook runs in a sandbox of its own; the judge sits outside. A submission that cannot be read or run gets zeros with a
-    reason, and never holds up the others.
+    reason, and never holds up the others. What has not changed since it was graded is not graded again, and a run that was
+    interrupted goes on where it stopped.
     """
-    results = grade_class(root.resolve(), assignment, Options(student, workers, not no_sandbox))
+    options = Options(student, workers, not no_sandbox, scheduler=scheduler, regrade=regrade, attempts=attempts)
+    results = grade_class(root.resolve(), assignment, options)
     if json_file is not None:
         write_json(json_file, results)
     output.print(class_table(assignment, results))
@@ -81,11 +90,11 @@ def check(
     root: Root = Path(),
 ) -> None:
     """Grade one notebook and show what each exercise would get. No gradebook is touched."""
-    from autograder.engine import MissingReleaseError, release_notebooks
     from autograder.grading import Work, graded_submission
     from autograder.intake import UnreadableError, submitted_bytes
     from autograder.reference import NOTEBOOKS
-    from autograder.session import NoSandboxError
+    from autograder.submissions import MissingReleaseError, release_notebooks
+    from autograder.warm_server import NoSandboxError
 
     assignment = next((key.partition("/")[0] for key in NOTEBOOKS if key.partition("/")[2] == notebook.stem), None)
     if assignment is None:
@@ -112,9 +121,9 @@ def demo(
     no_sandbox: NoSandbox = False,
 ) -> None:
     """Make a sample class of 12 with known mistakes in build/demo/, grade it, and compare with what each should get."""
-    from autograder.engine import MissingReleaseError, release_notebooks
     from autograder.gradebook import given_scores
     from autograder.sample import ASSIGNMENT, LIMITS, compared_rows, make_class
+    from autograder.submissions import MissingReleaseError, release_notebooks
 
     try:
         release_notebooks(root.resolve(), ASSIGNMENT)
@@ -162,7 +171,7 @@ def grade_class(root: Path, assignment: str, options: Options) -> list[Result]:
 
 def write_json(path: Path, results: list[Result]) -> None:
     """Write results as JSON, one object a line."""
-    from autograder.gradebook import replace_file
+    from autograder.files import replace_file
     from autograder.grading import result_row
 
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -205,7 +214,7 @@ def _points(results: list[Result]) -> str:
 
 
 def _need_sandbox(sandbox: bool) -> None:
-    from autograder.session import sandbox_problem
+    from autograder.warm_server import sandbox_problem
 
     problem = sandbox_problem() if sandbox else None
     if problem is not None:

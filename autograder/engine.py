@@ -1,117 +1,174 @@
-"""The engine: find the submissions of a class, grade them in an executor, and hand the results on one by one.
+"""The engine: grade submissions in an executor and hand them on one by one. It reads and writes no files.
 
-It speaks `concurrent.futures.Executor`, so that the workers may be processes here or elsewhere; only the caller writes anything.
+It speaks `concurrent.futures.Executor`, so that the workers may be processes here or in a cluster.
 """
 
+import ctypes
+import itertools
 import multiprocessing
 import os
-from collections.abc import Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+import signal
+from collections.abc import Callable, Generator, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
-from fnmatch import fnmatchcase
-from itertools import islice
-from pathlib import Path
+from typing import Any, NamedTuple
 
-from autograder.grading import GradedNotebook, Work, graded_submission, notebook_names
-from autograder.intake import UnreadableError, submitted_bytes
+from autograder.grading import GradedNotebook, Work, graded_from_plain, graded_plainly, plain_work, refused_submission
+from autograder.receipts import exercises_hash
 from autograder.session import Limits
-from course.language import LANGUAGES, Text
+from course.language import Text
+
+_PR_SET_PDEATHSIG = 1
+MAX_ATTEMPTS = 20
+
+GradedSubmission = tuple[Work, list[GradedNotebook]]
 
 
 @dataclass(frozen=True)
 class Options:
-    """How a class is graded: which students (a shell pattern), how many workers, in the sandbox or not, and the limits."""
+    """How a class is graded.
+
+    Which students (a shell pattern), how many workers (0: one for each processor), in the sandbox or not, the limits, the address of
+    a Dask scheduler to use instead of workers here, whether to grade again what has not changed, and how many different versions
+    of a notebook a student may have graded.
+    """
 
     student: str = "*"
     workers: int = 0
     sandbox: bool = True
     limits: Limits = field(default_factory=Limits)
+    scheduler: str = ""
+    regrade: bool = False
+    attempts: int = MAX_ATTEMPTS
 
 
-class MissingReleaseError(RuntimeError):
-    """There are no released notebooks to grade against."""
+class ClusterError(RuntimeError):
+    """The cluster cannot be used; the message says why."""
 
 
-def students_with(root: Path, assignment: str, pattern: str = "*") -> list[str]:
-    """Return the students in submitted/ who handed in the assignment, sorted; links and files are no students."""
-    folder = root / "submitted"
-    if not folder.is_dir():
-        return []
-    names = [entry.name for entry in os.scandir(folder) if entry.is_dir(follow_symlinks=False)]
-    with_work = [
-        name for name in names if (folder / name / assignment).is_dir() and not (folder / name / assignment).is_symlink()
-    ]
-    return sorted(name for name in with_work if fnmatchcase(name, pattern))
+class Pool(NamedTuple):
+    """An executor, how many submissions it works on at a time, and the errors by which it says that a submission killed a worker."""
+
+    executor: Executor
+    workers: int
+    deaths: tuple[type[BaseException], ...]
 
 
-def release_notebooks(root: Path, assignment: str) -> dict[tuple[str, str], bytes]:
-    """Return our own notebooks by (language, name). Raises MissingReleaseError if some are not built yet."""
-    paths = {
-        (language, name): root / "release" / language / assignment / f"{name}.ipynb"
-        for language in LANGUAGES
-        for name in notebook_names(assignment)
-    }
-    missing = [str(path.relative_to(root)) for path in paths.values() if not path.is_file()]
-    if missing:
-        raise MissingReleaseError(f"not built yet: {', '.join(missing)}. Type: autograder build")
-    return {key: path.read_bytes() for key, path in paths.items()}
+OpenPool = Callable[[], AbstractContextManager[Pool]]
 
 
-def submitted_notebooks(root: Path, student: str, assignment: str) -> dict[str, bytes | Text]:
-    """Return what a student handed in, by notebook name: the bytes, or the reason why there are none."""
-    folder = root / "submitted" / student / assignment
-    return {name: _bytes_or_reason(folder / f"{name}.ipynb") for name in notebook_names(assignment)}
+def graded(works: Iterable[Work], open_pool: OpenPool) -> Generator[GradedSubmission, None, None]:
+    """Grade submissions and yield each as it is done. Only so many are in memory at a time.
 
-
-def graded(
-    root: Path, assignment: str, options: Options, executor: Executor | None = None
-) -> Iterator[tuple[str, list[GradedNotebook]]]:
-    """Grade the class and yield (student, graded notebooks) as they are done. Only so many submissions are in memory at a time.
-
-    `executor` runs the submissions; None: processes on this machine, for the time that it takes.
+    When a worker dies, those that were under way are graded again, one at a time: one that kills a worker then as well gets zeros
+    with that reason, and the others get what they deserve.
     """
-    release = release_notebooks(root, assignment)
-    students = students_with(root, assignment, options.student)
-    workers = min(options.workers or os.cpu_count() or 1, max(len(students), 1))
-    works = (
-        Work(
-            student,
-            assignment,
-            submitted_notebooks(root, student, assignment),
-            release,
-            options.sandbox,
-            number % 10_000,
-            options.limits,
-        )
-        for number, student in enumerate(students)
-    )
-    if executor is not None:
-        yield from _streamed(executor, works, 2 * workers)
-        return
-    # spawned, not forked: a progress bar has threads
-    with ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn")) as pool:
-        yield from _streamed(pool, works, 2 * workers)
+    suspects: list[Work] = []
+    works = iter(works)
+    while True:
+        with open_pool() as pool:
+            broken = yield from _alone(pool, suspects)
+            if not broken:
+                broken = yield from _streamed(pool, works, suspects)
+        if not broken and not suspects:
+            return
 
 
-def _streamed(pool: Executor, works: Iterator[Work], ahead: int) -> Iterator[tuple[str, list[GradedNotebook]]]:
-    """Keep `ahead` submissions under way and yield each as it is done."""
-    under_way: dict[Future[list[GradedNotebook]], str] = {}
+def _alone(pool: Pool, suspects: list[Work]) -> Generator[GradedSubmission, None, bool]:
+    """Grade each of the suspects with nothing beside it. Returns whether the pool broke."""
+    while suspects:
+        work = suspects.pop(0)
+        try:
+            yield work, graded_from_plain(_submitted(pool, work).result())
+        except pool.deaths as error:
+            yield work, refused_submission(work, _WORKER_DIED)
+            if isinstance(error, BrokenExecutor):
+                return True
+    return False
+
+
+def _streamed(pool: Pool, works: Iterator[Work], suspects: list[Work]) -> Generator[GradedSubmission, None, bool]:
+    """Keep a few submissions under way and yield each as it is done. Returns whether the pool broke."""
+    ahead = 2 * pool.workers
+    under_way: dict[Future[Any], Work] = {}
     try:
         while True:
-            for work in islice(works, ahead - len(under_way)):
-                under_way[pool.submit(graded_submission, work)] = work.student
+            for work in itertools.islice(works, ahead - len(under_way)):
+                under_way[_submitted(pool, work)] = work
             if not under_way:
-                return
+                return False
             done, _ = wait(under_way, return_when=FIRST_COMPLETED)
             for future in done:
-                yield under_way.pop(future), future.result()
+                work = under_way.pop(future)
+                try:
+                    result = future.result()
+                except pool.deaths as error:
+                    suspects.append(work)
+                    if isinstance(error, BrokenExecutor):
+                        suspects += under_way.values()
+                        under_way.clear()
+                        return True
+                else:
+                    yield work, graded_from_plain(result)
     finally:
         for future in under_way:
             future.cancel()
 
 
-def _bytes_or_reason(path: Path) -> bytes | Text:
+def _submitted(pool: Pool, work: Work) -> "Future[Any]":
+    return pool.executor.submit(graded_plainly, plain_work(work, exercises_hash()))
+
+
+@contextmanager
+def local_pool(workers: int) -> Iterator[Pool]:
+    """Open a pool of processes on this machine. They end with it, and with this process, however that ends."""
+    # one thread for each worker: linear algebra must not take the cores of the others. Read when NumPy is loaded.
+    for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
+    # forked from a process that has loaded the judge: started once, and without the threads of a progress bar
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["autograder.grading"])
+    before = set(multiprocessing.active_children())
+    pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_end_with_parent)
     try:
-        return submitted_bytes(path)
-    except UnreadableError as error:
-        return error.reason
+        yield Pool(pool, workers, (BrokenExecutor,))
+    except BaseException:
+        pool.shutdown(wait=False, cancel_futures=True)
+        for process in set(multiprocessing.active_children()) - before:
+            process.kill()
+        raise
+    pool.shutdown()
+
+
+@contextmanager
+def dask_pool(address: str) -> Iterator[Pool]:
+    """Connect to a Dask cluster. Its workers need bubblewrap, and this version of the course in their environment."""
+    # imported here: it takes a second
+    from distributed import Client, KilledWorker
+
+    try:
+        client = Client(address, timeout=10, set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        raise ClusterError(f"no Dask scheduler answers at {address} ({error}). Start one with: dask scheduler") from None
+    with client:
+        workers = sum(client.ncores().values())
+        if not workers:
+            raise ClusterError(
+                f"the Dask scheduler at {address} has no workers. Start some with: dask worker {address} --nthreads 1"
+            )
+        # not pure: a submission that is graded again must not be answered from memory
+        yield Pool(client.get_executor(pure=False), workers, (KilledWorker,))
+
+
+def _end_with_parent() -> None:
+    """Leave Ctrl-C to the parent, and end when it ends, however that happens."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    libc = ctypes.CDLL(None)
+    libc.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
+_WORKER_DIED = Text(
+    "The grader's own process ended twice while it graded this notebook. The staff will have a look.",
+    "採点中に採点プログラム側のプロセスが2回終了しました。担当者が確認します。",
+)

@@ -3,29 +3,33 @@
 import json
 import os
 import sys
-import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 from autograder.executed import as_markdown
 from autograder.exercise import check_cell, checked_exercise
+from autograder.files import replace_file
 from autograder.grading import GradedNotebook, Result
-from autograder.registering import register
+from autograder.receipts import CannotWriteError
+from autograder.registering import RegistrationError, register
+from autograder.settings import course_id, db_url
 
 
 class GradebookWriter:
     """The open gradebook of one course, for one assignment. Use it in a `with` statement."""
 
-    def __init__(self, root: Path, assignment: str, db_url: str | None = None) -> None:
+    def __init__(self, root: Path, assignment: str) -> None:
         self._root, self._assignment = root, assignment
-        self._db_url = db_url or f"sqlite:///{root / 'gradebook.db'}"
 
     def __enter__(self) -> "GradebookWriter":
-        self._gradebook = _opened(self._db_url, self._root)
+        with _written_or_said():
+            self._gradebook = _opened(self._root)
         try:
-            register(self._gradebook, self._root, self._assignment)
+            with _written_or_said():
+                register(self._gradebook, self._root, self._assignment)
         except BaseException:
             self._gradebook.close()
             raise
@@ -34,8 +38,10 @@ class GradebookWriter:
     def __exit__(self, *_: object) -> None:
         self._gradebook.close()
 
-    def write(self, student: str, graded: Sequence[GradedNotebook]) -> None:
+    def write(self, student: str, graded: Sequence[GradedNotebook], kept: Sequence[Result] = ()) -> None:
         """Write one submission: scores and comments in one transaction, and the executed notebooks into autograded/.
+
+        `kept` are results that stand although something newer was handed in: they are entered, and their notebooks stay.
 
         The notebooks are put in place last: if anything fails before, the next run still sees which written answers have changed.
         """
@@ -43,18 +49,24 @@ class GradebookWriter:
         folder.mkdir(parents=True, exist_ok=True)
         paths = {notebook.notebook: folder / f"{notebook.notebook}.ipynb" for notebook in graded}
         try:
-            submission = self._submission(student)
-            rows = {entry.name: entry for entry in submission.notebooks}
-            for notebook in graded:
-                before, after = _written_before(paths[notebook.notebook]), _written_texts(notebook.executed)
-                rewritten = {name for name, text in before.items() if text != after.get(name)}
-                _enter(rows[notebook.notebook], notebook.results, rewritten)
-            self._gradebook.db.commit()
+            with _written_or_said():
+                self._enter(student, graded, kept, paths)
+                self._gradebook.db.commit()
         except BaseException:
             self._gradebook.db.rollback()
             raise
         for notebook in graded:
             replace_file(paths[notebook.notebook], notebook.executed)
+
+    def _enter(self, student: str, graded: Sequence[GradedNotebook], kept: Sequence[Result], paths: Mapping[str, Path]) -> None:
+        submission = self._submission(student)
+        rows = {entry.name: entry for entry in submission.notebooks}
+        for notebook in graded:
+            before, after = _written_before(paths[notebook.notebook]), _written_texts(notebook.executed)
+            rewritten = {name for name, text in before.items() if text != after.get(name)}
+            _enter(rows[notebook.notebook], notebook.results, rewritten)
+        for result in kept:
+            _enter(rows[result.notebook], [result], set())
 
     def _submission(self, student: str) -> Any:
         """Return the student's submission with a grade and a comment for every cell, making what is not there."""
@@ -77,14 +89,20 @@ class GradebookWriter:
         return submission
 
 
-def course_id(root: Path) -> str:
-    """Return the course id of nbgrader_config.py, under which stock nbgrader looks for grades."""
-    from nbgrader.coursedir import CourseDirectory
-    from traitlets.config import PyFileConfigLoader
+@contextmanager
+def _written_or_said() -> Iterator[None]:
+    """Say in plain words why the database did not take something."""
+    from sqlalchemy.exc import OperationalError
 
-    path = root / "nbgrader_config.py"
-    config = PyFileConfigLoader(path.name, path=str(root)).load_config() if path.is_file() else None
-    return str(CourseDirectory(config=config).course_id)
+    try:
+        yield
+    except (OperationalError, RegistrationError) as error:
+        if isinstance(error, RegistrationError):
+            raise CannotWriteError(str(error)) from error
+        raise CannotWriteError(
+            f"the gradebook cannot be written: {error.orig}. If it is locked, another program has it open for writing: close that. "
+            "What was graded so far is kept; type the same command again for the rest."
+        ) from error
 
 
 def given_scores(
@@ -92,7 +110,7 @@ def given_scores(
 ) -> dict[tuple[str, str], tuple[float | None, str | None]]:
     """Return the points that stand in the gradebook, and the misconception of the result, by (student, exercise)."""
     given = {}
-    with _opened(f"sqlite:///{root / 'gradebook.db'}", root) as gradebook:
+    with _opened(root) as gradebook:
         scores = {
             (grade.student.id, checked_exercise(grade.name)): None if grade.needs_manual_grade else grade.score
             for submission in gradebook.assignment_submissions(assignment)
@@ -105,25 +123,32 @@ def given_scores(
     return given
 
 
-def _opened(db_url: str, root: Path) -> Any:
+def _opened(root: Path) -> Any:
     """Return an open nbgrader.api.Gradebook of the course."""
-    # imported here: nbgrader takes seconds
-    from nbgrader.api import Gradebook
+    with _quick_import():
+        from nbgrader.api import Gradebook
 
     # it runs the program alembic to make a new gradebook, which is beside this Python whether or not the environment is activated
     programs = str(Path(sys.executable).parent)
     path = os.environ.get("PATH", os.defpath)
     if programs not in path.split(os.pathsep):
         os.environ["PATH"] = f"{programs}{os.pathsep}{path}"
-    return Gradebook(db_url, course_id=course_id(root))
+    return Gradebook(db_url(root), course_id=course_id(root))
 
 
-def replace_file(path: Path, content: bytes) -> None:
-    """Write a file so that it is either the old one or the new one, whatever happens."""
-    with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-        file.write(content)
-    Path(file.name).chmod(0o644)
-    os.replace(file.name, path)
+@contextmanager
+def _quick_import() -> Iterator[None]:
+    """Import nbgrader without what its libraries have no need of here: a grammar of web addresses that takes seconds to compile."""
+    module = "rfc3987_syntax"
+    if module in sys.modules:
+        yield
+        return
+    # this is how Python marks a module that is not to be found
+    sys.modules[module] = None  # type: ignore[assignment]
+    try:
+        yield
+    finally:
+        del sys.modules[module]
 
 
 def _complete(session: Any, submission: Any) -> None:

@@ -3,28 +3,35 @@
 `graded_submission` takes and gives plain dictionaries and bytes, so that it can run in any executor.
 """
 
-import json
+import io
+import sys
+import threading
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
-from functools import partial
+from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any
 
 from autograder.executed import Room, clean_outputs, executed_notebook, verdict_output, visible
 from autograder.exercise import checked_exercise
 from autograder.intake import NOT_HANDED_IN, Cell, UnreadableError, language_of, restored_cells, submitted_cells
 from autograder.judging import judged
+from autograder.receipts import exercises_hash
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
-from autograder.session import Limits, NoSandboxError, Session, SessionEndedError
+from autograder.released import released
+from autograder.sandbox.wire import packed_interview, send
+from autograder.session import Limits, Session, SessionEndedError
+from autograder.warm_server import NoSandboxError
+from course.answers import Interview, Question
 from course.language import Text
 from course.verdict import Verdict
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Result:
     """What one exercise of one submission got, in points, and why.
 
     `status` is "graded", "manual" (a person grades it; score None), or why there is nothing to grade: "missing", "unreadable",
-    "stopped" (the notebook's process ended before), "failed" (a fault of the grader).
+    "stopped" (the notebook's process ended before), "failed" (a fault of the grader), "attempts" (there were too many: the last
+    verdict that counted stands). `seed` is that of the cases.
     """
 
     student: str
@@ -36,16 +43,21 @@ class Result:
     message: str
     misconception: str | None = None
     status: str = "graded"
+    seed: int | None = None
 
 
 @dataclass(frozen=True)
 class GradedNotebook:
-    """The results of one notebook, the executed notebook as JSON bytes, and the language it was answered in."""
+    """The results of one notebook, the executed notebook as JSON bytes, and the language it was answered in.
+
+    `replies` holds what the answers that are not right replied, by exercise, as it would cross the wire.
+    """
 
     notebook: str
     language: str
     results: tuple[Result, ...]
     executed: bytes = field(repr=False)
+    replies: Mapping[str, bytes] = field(default_factory=dict, repr=False)
 
 
 @dataclass(frozen=True)
@@ -53,7 +65,8 @@ class Work:
     """One submission on its way through an executor: what was handed in, and what we released, as bytes.
 
     `notebooks` maps each notebook's name to the submitted bytes, or to the reason why there are none; `release` maps language and
-    name to our own notebook.
+    name to our own notebook; `seeds` are those of the cases by exercise (a missing one is drawn); `slot` tells submissions apart
+    that run at the same time.
     """
 
     student: str
@@ -63,6 +76,15 @@ class Work:
     sandbox: bool = True
     slot: int = 0
     limits: Limits = field(default_factory=Limits)
+    seeds: Mapping[str, int] = field(default_factory=dict)
+
+
+class OtherVersionError(RuntimeError):
+    """A worker has another version of the course than the grader, so its verdicts would not be ours."""
+
+
+# one warm server serves one notebook at a time; a worker of a cluster may have several threads
+_one_at_a_time = threading.Lock()
 
 
 def graded_submission(work: Work) -> list[GradedNotebook]:
@@ -70,7 +92,47 @@ def graded_submission(work: Work) -> list[GradedNotebook]:
 
     Raises NoSandboxError where notebooks cannot be run at all.
     """
-    return [_graded_notebook(work, name) for name in work.notebooks]
+    with _one_at_a_time:
+        return [_graded_notebook(work, name) for name in work.notebooks]
+
+
+def refused_submission(work: Work, reason: Text) -> list[GradedNotebook]:
+    """Return zeros with a reason for every notebook of a submission, because of a fault of the grader."""
+    return [_refused(work, name, reason, "failed") for name in work.notebooks]
+
+
+def plain_work(work: Work, version: str) -> dict[str, Any]:
+    """Return a submission as plain dictionaries and bytes, for a worker of this version of the course, wherever it is."""
+    return {
+        "version": version,
+        **{entry.name: getattr(work, entry.name) for entry in fields(work)},
+        "notebooks": {name: tuple(given) if isinstance(given, Text) else given for name, given in work.notebooks.items()},
+        "limits": asdict(work.limits),
+    }
+
+
+def graded_plainly(data: dict[str, Any]) -> list[dict[str, Any]]:
+    """Grade what `plain_work` packed, in any executor. Raises OtherVersionError if this is another version of the course."""
+    version = data.pop("version")
+    if version != exercises_hash():
+        raise OtherVersionError(
+            "a worker has another version of the course than the grader; bring it up to date and start it again"
+        )
+    notebooks = {name: given if isinstance(given, bytes) else Text(*given) for name, given in data["notebooks"].items()}
+    graded = graded_submission(Work(**data | {"notebooks": notebooks, "limits": Limits(**data["limits"])}))
+    return [asdict(notebook) for notebook in graded]
+
+
+def graded_from_plain(data: list[dict[str, Any]]) -> list[GradedNotebook]:
+    """Return what `graded_plainly` sent back."""
+    return [GradedNotebook(**entry | {"results": tuple(map(result_from_row, entry["results"]))}) for entry in data]
+
+
+def result_from_row(row: Mapping[str, Any]) -> Result:
+    """Return a result that was a row."""
+    # of thousands of submissions most say the same few things: each text is kept once
+    texts: dict[str, Any] = {key: sys.intern(value) if type(value) is str else value for key, value in row.items()}
+    return Result(**texts)
 
 
 def notebook_names(assignment: str) -> list[str]:
@@ -80,16 +142,6 @@ def notebook_names(assignment: str) -> list[str]:
         known = ", ".join(sorted({key.partition("/")[0] for key in NOTEBOOKS}))
         raise KeyError(f"no assignment is called {assignment!r}; there are: {known}")
     return names
-
-
-def release_cells(data: bytes) -> list[Cell]:
-    """Return the cells of our own released notebook, with the flags that nbgrader gave them."""
-    cells = []
-    for raw in json.loads(data)["cells"]:
-        ours = raw["metadata"].get("nbgrader", {})
-        source = raw["source"] if isinstance(raw["source"], str) else "".join(raw["source"])
-        cells.append(Cell(raw["cell_type"], source, ours.get("grade_id"), ours.get("locked", False), ours.get("grade", False)))
-    return cells
 
 
 def _graded_notebook(work: Work, name: str) -> GradedNotebook:
@@ -108,61 +160,64 @@ def _graded_notebook(work: Work, name: str) -> GradedNotebook:
 
 def _run_and_judged(work: Work, name: str, submitted: Sequence[Cell]) -> GradedNotebook:
     language = language_of(submitted)
-    release = work.release[language, name]
-    cells = restored_cells(release_cells(release), submitted)
-    outputs, verdicts, stopped = _run(work, cells, _demo_sources(release), language)
+    release = released(work.release[language, name])
+    cells = restored_cells(release.cells, submitted)
+    run = _Run(work, language)
+    run.all_cells(cells, release.demos)
     handed_in = {cell.grade_id for cell in submitted}
-    results = _results(work, name, language, cells, handed_in, verdicts, stopped)
-    return GradedNotebook(name, language, tuple(results), executed_notebook(release, cells, outputs))
+    results = _results(work, name, cells, handed_in, run)
+    return GradedNotebook(name, language, tuple(results), executed_notebook(release, cells, run.outputs), run.replies)
 
 
-def _demo_sources(release: bytes) -> frozenset[str]:
-    """Return the sources of the teacher's demonstrations: left unchanged, they need not run again to grade the rest."""
-    return frozenset(
-        raw["source"] if isinstance(raw["source"], str) else "".join(raw["source"])
-        for raw in json.loads(release)["cells"]
-        if "demo" in raw["metadata"].get("tags", [])
-    )
+class _Run:
+    """One notebook's run in a sandbox: outputs by cell, verdicts, replies of answers that are not right, and why it stopped early."""
+
+    def __init__(self, work: Work, language: str) -> None:
+        self._work, self.language = work, language
+        # cleaned at once, so that what a notebook puts out never fills the grader's memory
+        self._room, self._answers_room = Room(), Room()
+        self.outputs: list[list[Any] | None] = []
+        self.verdicts: dict[str, Verdict] = {}
+        self.replies: dict[str, bytes] = {}
+        self.stopped: Text | None = None
+
+    def all_cells(self, cells: Sequence[Cell], demos: Collection[str]) -> None:
+        """Run the cells and ask the judge at each check; demonstrations that were left unchanged need not run again."""
+        self.outputs = [None for _ in cells]
+        try:
+            with Session(self._work.limits, self._work.sandbox, self._work.slot) as session:
+                for index, cell in enumerate(cells):
+                    if cell.type != "code" or cell.source in demos:
+                        continue
+                    if cell.locked and cell.graded:
+                        shown, room = [self._judged(session, checked_exercise(str(cell.grade_id)))], self._answers_room
+                    else:
+                        shown, room = session.run(cell.source), self._room
+                    self.outputs[index] = clean_outputs(shown, room)
+        except SessionEndedError as error:
+            self.stopped = error.reason
+
+    def _judged(self, session: Session, name: str) -> dict[str, Any]:
+        """Judge one answer, keep the verdict, and return the output that the check cell shows."""
+        talks: list[Interview] = []
+
+        def ask(questions: Sequence[Question]) -> Interview:
+            talks.append(session.ask(name, questions))
+            return talks[-1]
+
+        verdict = judged(exercise_named(name), ask, self._work.seeds.get(name))
+        self.verdicts[name] = verdict
+        if not verdict.passed and talks:
+            self.replies[name] = reply_bytes(talks[-1])
+        return verdict_output(verdict, self.language)
 
 
-def _run(
-    work: Work, cells: Sequence[Cell], demos: frozenset[str], language: str
-) -> tuple[list[list[Any]], dict[str, Verdict], Text | None]:
-    """Run the cells in a sandbox and ask the judge at each check. Returns outputs by cell, verdicts, and why it stopped early."""
-    outputs: list[list[Any]] = [[] for _ in cells]
-    # cleaned at once, so that what a notebook puts out never fills the grader's memory
-    room, answers_room = Room(), Room()
-    verdicts: dict[str, Verdict] = {}
-    try:
-        with Session(work.limits, work.sandbox, work.slot) as session:
-            for index, cell in enumerate(cells):
-                if cell.type != "code" or cell.source in demos:
-                    continue
-                if cell.locked and cell.graded:
-                    name = checked_exercise(str(cell.grade_id))
-                    verdict = judged(exercise_named(name), partial(session.ask, name))
-                    verdicts[name] = verdict
-                    outputs[index] = clean_outputs([verdict_output(verdict, language)], answers_room)
-                else:
-                    outputs[index] = clean_outputs(session.run(cell.source), room)
-    except SessionEndedError as error:
-        return outputs, verdicts, error.reason
-    return outputs, verdicts, None
-
-
-def _results(  # noqa: PLR0913 - one row of the table needs it all
-    work: Work,
-    name: str,
-    language: str,
-    cells: Sequence[Cell],
-    handed_in: Collection[str | None],
-    verdicts: Mapping[str, Verdict],
-    stopped: Text | None,
-) -> list[Result]:
+def _results(work: Work, name: str, cells: Sequence[Cell], handed_in: Collection[str | None], run: _Run) -> list[Result]:
+    language = run.language
     written = {cell.grade_id: cell.source for cell in cells if cell.graded and not cell.locked}
     results = []
     for blank in _blank_results(work, name):
-        verdict = verdicts.get(blank.exercise)
+        verdict = run.verdicts.get(blank.exercise)
         if blank.status == "manual":
             # where the whole cell is gone, its text may stand elsewhere: a person has to look
             empty = blank.exercise in handed_in and not written[blank.exercise].strip()
@@ -171,9 +226,9 @@ def _results(  # noqa: PLR0913 - one row of the table needs it all
         elif verdict is not None:
             points = round(verdict.score * blank.max_score, 4)
             message = visible(verdict.message(language))
-            results.append(replace(blank, score=points, message=message, misconception=verdict.misconception))
+            results.append(replace(blank, score=points, message=message, misconception=verdict.misconception, seed=verdict.seed))
         else:
-            reason = (stopped or _NOT_ASKED).to(language)
+            reason = (run.stopped or _NOT_ASKED).to(language)
             results.append(replace(blank, message=reason, status="stopped"))
     return results
 
@@ -185,31 +240,13 @@ def _blank_results(work: Work, name: str) -> list[Result]:
         Result(work.student, work.assignment, name, exercise, 0.0, float(exercise_named(exercise).points), "")
         for exercise in NOTEBOOKS[key]
     ]
-    cells = {cell.grade_id for cell in release_cells(work.release["ja", name])}
+    points = released(work.release["ja", name]).points
     written = [
-        Result(
-            work.student,
-            work.assignment,
-            name,
-            exercise,
-            None,
-            written_points(work.release["ja", name], exercise),
-            "",
-            status="manual",
-        )
+        Result(work.student, work.assignment, name, exercise, None, points[exercise], "", status="manual")
         for exercise in WRITTEN.get(key, ())
-        if exercise in cells
+        if exercise in points
     ]
     return graded + written
-
-
-def written_points(release: bytes, exercise: str) -> float:
-    """Return the points of a written answer, as the release states them."""
-    for raw in json.loads(release)["cells"]:
-        ours = raw["metadata"].get("nbgrader", {})
-        if ours.get("grade_id") == exercise:
-            return float(ours["points"])
-    return 0.0
 
 
 def _refused(work: Work, name: str, reason: Text, status: str) -> GradedNotebook:
@@ -217,8 +254,15 @@ def _refused(work: Work, name: str, reason: Text, status: str) -> GradedNotebook
     english = any(b"from course.en import" in data for data in work.notebooks.values() if isinstance(data, bytes))
     language = "en" if english else "ja"
     results = tuple(replace(blank, score=0.0, message=reason.to(language), status=status) for blank in _blank_results(work, name))
-    release = work.release[language, name]
-    return GradedNotebook(name, language, results, executed_notebook(release, release_cells(release), []))
+    release = released(work.release[language, name])
+    return GradedNotebook(name, language, results, executed_notebook(release, release.cells, []))
+
+
+def reply_bytes(talk: Interview) -> bytes:
+    """Return an interview as one frame of the wire."""
+    frame = io.BytesIO()
+    send(frame, packed_interview(talk))
+    return frame.getvalue()
 
 
 def result_row(result: Result) -> dict[str, Any]:

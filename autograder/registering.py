@@ -6,12 +6,12 @@ Both editions have the same graded cells, so one registration serves students of
 import json
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
-
-import nbformat
-from nbformat import NotebookNode
+from typing import TYPE_CHECKING, Any
 
 from course.language import LANGUAGES
+
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
 
 #: the values of each row that a notebook needs in the gradebook, by the row's class in nbgrader.api and the cell's grade id
 Rows = dict[tuple[str, str], dict[str, Any]]
@@ -35,8 +35,11 @@ def register(gradebook: Any, root: Path, assignment: str) -> None:
         raise
 
 
-def _released(root: Path, assignment: str) -> dict[str, NotebookNode]:
+def _released(root: Path, assignment: str) -> "dict[str, NotebookNode]":
     """Return the student notebooks by name, after a look whether both editions have the same graded cells."""
+    # imported here: it takes seconds
+    import nbformat
+
     editions = []
     for language in LANGUAGES:
         paths = sorted((root / "release" / language / assignment).glob("*.ipynb"))
@@ -48,7 +51,7 @@ def _released(root: Path, assignment: str) -> dict[str, NotebookNode]:
     return editions[0]
 
 
-def _rows(notebook: NotebookNode) -> Rows:
+def _rows(notebook: "NotebookNode") -> Rows:
     from nbgrader.utils import compute_checksum, is_grade, is_locked, is_solution, is_task
 
     rows: Rows = {}
@@ -72,7 +75,7 @@ def _rows(notebook: NotebookNode) -> Rows:
     return rows
 
 
-def _update(gradebook: Any, assignment: str, notebooks: Mapping[str, NotebookNode]) -> None:
+def _update(gradebook: Any, assignment: str, notebooks: "Mapping[str, NotebookNode]") -> None:
     from nbgrader.api import Assignment, Notebook
 
     session = gradebook.db

@@ -1,19 +1,27 @@
 """Running notebook cells as IPython runs them, without a kernel: the outputs come back as plain dictionaries."""
 
 import base64
+import builtins
 import contextlib
 import io
 import itertools
+import os
 import signal
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+import matplotlib_inline.config
 from IPython.core.displayhook import DisplayHook
 from IPython.core.displaypub import DisplayPublisher
+from IPython.core.error import StdinNotImplementedError
 from IPython.core.interactiveshell import InteractiveShell
+from IPython.core.pylabtools import print_figure
+from matplotlib.pyplot import close
 from traitlets import Type
 from traitlets.config import Config
+
+from course.plotting import new_axes
 
 MAX_TEXT = 100_000
 MAX_PICTURES = 8 * 2**20
@@ -84,6 +92,29 @@ class _Stream(io.TextIOBase):
         return len(text)
 
 
+class _Descriptor:
+    """A file in memory in the place of a descriptor, emptied after each cell."""
+
+    def __init__(self, outputs: Outputs, name: str, descriptor: int) -> None:
+        self._outputs, self._name = outputs, name
+        self._file = os.memfd_create(name)
+        os.dup2(self._file, descriptor)
+
+    def collect(self) -> None:
+        """Move what was written into the outputs of the cell."""
+        size = os.lseek(self._file, 0, os.SEEK_CUR)
+        if not size:
+            return
+        text = os.pread(self._file, MAX_TEXT, 0).decode(errors="replace")
+        os.ftruncate(self._file, 0)
+        os.lseek(self._file, 0, os.SEEK_SET)
+        self._outputs.stream(self._name, text)
+
+
+def _refused_input(prompt: object = "") -> str:
+    raise StdinNotImplementedError("raw_input was called, but this frontend does not support input requests.")
+
+
 class _Publisher(DisplayPublisher):
     outputs: Outputs
 
@@ -133,11 +164,28 @@ class Cells:
         config.HistoryManager.enabled = False
         config.InteractiveShell.colors = "nocolor"
         self._outputs = Outputs()
+        self._descriptors: list[_Descriptor] = []
         self.sources: list[str] = []
         self._shell = _Shell.instance(config=config)
         for part in (self._shell, self._shell.displayhook, self._shell.display_pub):
             part.outputs = self._outputs
         self._shell.enable_matplotlib("inline")
+        # the default, "tight", draws every picture twice
+        matplotlib_inline.config.InlineBackend.instance(parent=self._shell).print_figure_kwargs = {}
+        builtins.input = _refused_input
+
+    def warm_up(self) -> None:
+        """Run a cell and draw a figure with a formula and Japanese in it, as the first notebook would; nothing of it stays."""
+        self._shell.run_cell("import math; [math.pi]", store_history=False, silent=True)
+        figure = new_axes().figure
+        figure.suptitle(r"姿勢 $\theta_1$")
+        print_figure(figure, "png")
+        close("all")
+        del self._shell.user_ns["math"]
+
+    def watch_descriptors(self) -> None:
+        """Keep what programs write to this process's own standard output and error, not through Python."""
+        self._descriptors = [_Descriptor(self._outputs, "stdout", 1), _Descriptor(self._outputs, "stderr", 2)]
 
     @property
     def namespace(self) -> dict[str, object]:
@@ -152,6 +200,8 @@ class Cells:
         streams = _Stream(self._outputs, "stdout"), _Stream(self._outputs, "stderr")
         with contextlib.redirect_stdout(streams[0]), contextlib.redirect_stderr(streams[1]), _time_limit(seconds):
             self._shell.run_cell(source, store_history=True)
+        for descriptor in self._descriptors:
+            descriptor.collect()
         return self._outputs.items
 
     def _without_magics(self, source: str) -> str:

@@ -18,6 +18,8 @@ from course.plain import MAX_DEPTH, Odd, Plain
 
 MAX_JSON = 16 * 2**20
 MAX_ARRAYS = 64 * 2**20
+#: what the warm server is told and tells: a few names and numbers
+MAX_CONTROL = 2**16
 _HEADER = struct.Struct(">4sII")
 _MAGIC = b"DR1\n"
 _DTYPES = frozenset(

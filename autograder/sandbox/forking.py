@@ -1,0 +1,141 @@
+"""The warm process: everything a notebook needs is loaded once, and each notebook runs in a fork of it.
+
+    python -m autograder.sandbox.forking CONTROL CONFINED
+
+CONTROL is the descriptor of a socket (SOCK_SEQPACKET) on which the grader's side asks for notebook processes, one at a time, and
+hands over the socket on which each of them will talk. CONFINED is 1 inside bubblewrap. No student code ever runs in this process,
+and nothing of a student's is ever told to it.
+"""
+
+import contextlib
+import gc
+import importlib
+import json
+import os
+import pkgutil
+import random
+import signal
+import socket
+import sys
+from typing import Any
+
+from autograder.sandbox.cells import Cells
+from autograder.sandbox.confinement import adopt_grandchildren, confined_child, limit_resources, seal_if_possible
+from autograder.sandbox.runner import serve
+from autograder.sandbox.wire import MAX_CONTROL
+
+# imported by students' notebooks, or by Matplotlib, IPython and NumPy at their first use
+_WARM = ("numpy.random", "numpy.fft", "numpy.linalg", "matplotlib.pyplot", "sympy", "scipy", "ipywidgets", "unittest.mock")
+
+
+def main(control: socket.socket, confined: bool) -> None:
+    """Load everything, say so, and serve until the grader hangs up."""
+    cells = _warm_cells()
+    seal = seal_if_possible() if confined else None
+    adopt_grandchildren()
+    control.send(json.dumps({"ready": True, "seal": seal is not None}).encode())
+    child = 0
+    while True:
+        text, descriptors, _, _ = socket.recv_fds(control, MAX_CONTROL, 1)
+        if not text:
+            _end(child)
+            return
+        request = json.loads(text)
+        if request["do"] == "start":
+            _end(child)
+            channel = socket.socket(fileno=descriptors[0])
+            child = _started(cells, channel, control, request, (confined, seal))
+            channel.close()
+            control.send(json.dumps({"started": child}).encode())
+        elif request["do"] == "end":
+            _end(child)
+            child = 0
+            control.send(json.dumps({"ended": True}).encode())
+        else:
+            control.send(json.dumps({"memory": _memory_of(child)}).encode())
+
+
+def _started(cells: Cells, channel: socket.socket, control: socket.socket, request: dict[str, Any], how: tuple[bool, Any]) -> int:
+    """Fork a process that serves one notebook on `channel`, and return its pid."""
+    confined, seal = how
+    child = confined_child(request["uid"], request["limits"], request["folders"], seal) if confined else os.fork()
+    if child:
+        return child
+    # nothing may come back from here into the loop above
+    try:
+        control.close()
+        if not confined:
+            os.setsid()
+            os.chdir(request["folder"])
+            limit_resources(request["limits"])
+        _begin_anew()
+        cells.watch_descriptors()
+        serve(channel, cells)
+    finally:
+        os._exit(0)
+
+
+def _begin_anew() -> None:
+    """Make what a fork inherits its own: random numbers differ, and a signal does what it does in a new process."""
+    import numpy as np
+
+    random.seed()
+    np.random.seed()
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    gc.enable()
+
+
+def _end(child: int) -> None:
+    """Kill the child: with the first process of its pid namespace, or with its group, goes everything that it started."""
+    if not child:
+        return
+    for kill in (os.kill, os.killpg):
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            kill(child, signal.SIGKILL)
+    with contextlib.suppress(ChildProcessError):
+        os.waitpid(child, 0)
+    # what was adopted and has ended
+    with contextlib.suppress(ChildProcessError):
+        while os.waitpid(-1, os.WNOHANG)[0]:
+            pass
+
+
+def _memory_of(child: int) -> int:
+    """Return how many bytes the child and all processes in its pid namespace hold; what they share counts in shares."""
+    try:
+        home = os.stat(f"/proc/{child}/ns/pid").st_ino
+    except OSError:
+        return 0
+    total = 0
+    for pid in filter(str.isdigit, os.listdir("/proc")):
+        with contextlib.suppress(OSError, ValueError, IndexError):
+            if os.stat(f"/proc/{pid}/ns/pid").st_ino == home:
+                total += _proportional(int(pid))
+    return total
+
+
+def _proportional(pid: int) -> int:
+    with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
+        return 1024 * int(next(line for line in file if line.startswith("Pss:")).split()[1])
+
+
+def _warm_cells() -> Cells:
+    """Load what notebooks use, run a cell, draw a figure: what is slow the first time is over when a notebook comes."""
+    gc.disable()
+    for name in _WARM:
+        importlib.import_module(name)
+    import course
+
+    for module in pkgutil.iter_modules(course.__path__):
+        # the editions choose the language when they are imported: that is left to the notebook
+        if module.name not in ("en", "ja"):
+            importlib.import_module(f"course.{module.name}")
+    cells = Cells()
+    cells.warm_up()
+    gc.collect()
+    gc.freeze()
+    return cells
+
+
+if __name__ == "__main__":
+    main(socket.socket(fileno=int(sys.argv[1])), sys.argv[2] == "1")
