@@ -3,12 +3,13 @@
 Where it does not, the limits of each process and the watch over their memory (autograder.session) have to do.
 """
 
-import contextlib
 import itertools
 import os
+import time
 from pathlib import Path
 
 _MEMORY_MB, _PROCESSES = 4096, 256
+_PATIENCE = 100
 _numbers = itertools.count(1)
 
 
@@ -44,10 +45,17 @@ class ControlGroup:
         return ["/bin/sh", "-c", script, "sh", str(len(files)), *files]
 
     def remove(self) -> None:
-        """Remove the group; its processes are gone by now."""
+        """Remove the group; its processes were killed, which may take a moment."""
         for folder in self.folders:
-            with contextlib.suppress(OSError):
-                folder.rmdir()
+            for _ in range(_PATIENCE):
+                try:
+                    folder.rmdir()
+                except FileNotFoundError:
+                    break
+                except OSError:
+                    time.sleep(0.02)
+                else:
+                    break
 
 
 def _places(mount: Path, membership: Path) -> list[tuple[Path, dict[str, int]]]:

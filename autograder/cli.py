@@ -3,7 +3,7 @@
 import json
 import sys
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 from rich.console import Console
@@ -12,7 +12,11 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 from rich.table import Table
 
 from autograder.engine import MAX_ATTEMPTS, Options
+from autograder.executed import visible
 from autograder.grading import GradedNotebook, Result
+
+if TYPE_CHECKING:
+    from autograder.appeal import Appeal
 
 app = typer.Typer(
     help="Build the notebooks, grade a class, and see what became of it. Run it in the root of the course.",
@@ -145,6 +149,48 @@ def demo(
     output.print(f"[green]All {len(results)} results are as expected[/]; the table shows those that are not simply right.")
 
 
+@app.command()
+def explain(
+    student: Annotated[str, typer.Argument(help="The student, as in submitted/.")],
+    assignment: Annotated[str, typer.Argument(help="The assignment, such as odometry.")],
+    exercise: Annotated[str, typer.Argument(help="The exercise, such as pose_step.")],
+    full: Annotated[bool, typer.Option("--full", help="Show long arrays whole.")] = False,
+    root: Root = Path(),
+) -> None:
+    """Show how a recorded verdict came about: the inputs, what was expected, and what the answer gave.
+
+    For appeals. The cases are those of that grading, drawn again from the seed on record. They are secret: do not hand them on.
+    """
+    from autograder.appeal import AppealError, appeal
+
+    try:
+        found = appeal(root.resolve(), student, assignment, exercise, full)
+    except AppealError as error:
+        _fail(str(error))
+    output.print(appeal_table(found))
+    if not found.unchanged:
+        output.print(
+            "[yellow]The exercise or the judge has changed since: today's cases are shown.[/] Type: autograder grade --regrade"
+        )
+    if found.agrees is not None:
+        output.print("Judged again just now: " + ("the same verdict." if found.agrees else "[yellow]another verdict[/]."))
+
+
+@app.command()
+def doctor(root: Root = Path()) -> None:
+    """Say whether this machine can grade safely, what is missing, and what to type."""
+    from autograder.doctor import findings
+
+    marks = {"good": "[green]✓[/]", "weak": "[yellow]![/]", "bad": "[red]✗[/]"}
+    bad = 0
+    for finding in findings(root.resolve()):
+        bad += finding.state == "bad"
+        advice = f"\n    → {escape(finding.advice)}" if finding.advice and finding.state != "good" else ""
+        output.print(f"{marks[finding.state]} [bold]{finding.what}[/]: {escape(finding.seen)}{advice}", highlight=False)
+    if bad:
+        _fail("this machine cannot grade safely yet.")
+
+
 def grade_class(root: Path, assignment: str, options: Options) -> list[Result]:
     """Grade a class with a progress bar and return all results, by student."""
     from autograder.batch import BatchError
@@ -205,6 +251,22 @@ def exercise_table(graded: GradedNotebook) -> Table:
     for result in graded.results:
         score = "by hand" if result.score is None else f"{result.score:g} / {result.max_score:g}"
         table.add_row(result.exercise, score, escape(result.message))
+    return table
+
+
+def appeal_table(found: "Appeal") -> Table:
+    """Return a table with a row for each case of a recorded verdict."""
+    result = found.result
+    table = Table(
+        title=f"{result.student}: {result.exercise}, {result.score:g} of {result.max_score:g} points, attempt {found.attempt}",
+        caption=f"{result.message}\nmisconception: {result.misconception or '-'}; graded {found.receipt.begun}; seed {result.seed}",
+        show_lines=True,
+    )
+    for column in ("kind of input", "inputs", "expected", "given", ""):
+        table.add_column(column, overflow="fold")
+    for case in found.cases:
+        mark = "[green]✓[/]" if case.right else "[red]✗[/]"
+        table.add_row(case.group.en, escape(case.inputs), escape(case.expected), escape(visible(case.given)), mark)
     return table
 
 

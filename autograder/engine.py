@@ -164,8 +164,11 @@ def dask_pool(address: str) -> Iterator[Pool]:
 def _end_with_parent() -> None:
     """Leave Ctrl-C to the parent, and end when it ends, however that happens."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    libc = ctypes.CDLL(None)
-    libc.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+    ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+    parent = multiprocessing.parent_process()
+    if parent is not None and not parent.is_alive():
+        # it ended before it could be told
+        os._exit(1)
 
 
 _WORKER_DIED = Text(

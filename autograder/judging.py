@@ -82,6 +82,14 @@ def graph_verdict(exercise: GraphExercise, talk: Interview, seed: int | None = N
     return Verdict(exercise.name, min(fault.score, 0.99), fault.text, rung=fault.rung, misconception=fault.slug, seed=seed)
 
 
+def case_faults(exercise: Exercise, drawn: Trial, talk: Interview | None) -> tuple[Sequence[Plain], list[Fault | None]]:
+    """Return what was expected in each case, and what is wrong with each reply; None stands for replies that were all right."""
+    if talk is None:
+        return right_values(exercise.reference, drawn), [None] * len(drawn.questions)
+    expected, faults, _ = _best_rule(exercise, drawn, talk.replies_to(drawn.questions))
+    return expected, faults
+
+
 def _best_rule(exercise: Exercise, drawn: Trial, replies: Sequence[Reply]) -> tuple[Sequence[Plain], list[Fault | None], float]:
     """Return (expected values, faults, score) by the right rule that fits best; rules are never mixed."""
     best: tuple[Sequence[Plain], list[Fault | None], float] | None = None

@@ -57,13 +57,12 @@ class Session:
         self._last_id = 0
 
     def __enter__(self) -> "Session":
-        self._socket = self._server.start(self._slot, self._limits.of_each_process())
+        self._process = self._server.start(self._slot, self._limits.of_each_process())
         self._end = time.monotonic() + self._limits.notebook
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._server.end()
-        self._socket.close()
+        self._server.end(self._process)
 
     def run(self, source: str) -> list[dict[str, Any]]:
         """Run one cell and return its outputs, as the sandbox tells them."""
@@ -90,8 +89,8 @@ class Session:
         # the sandbox interrupts what is slow by itself
         deadline = min(time.monotonic() + seconds + self._limits.grace, self._end)
         try:
-            self._socket.settimeout(max(deadline - time.monotonic(), 0.01))
-            with self._socket.makefile("wb") as stream:
+            self._process.channel.settimeout(max(deadline - time.monotonic(), 0.01))
+            with self._process.channel.makefile("wb") as stream:
                 send(stream, {"id": self._last_id, "nonce": nonce, **request})
             reply = receive(partial(self._read, deadline))
         except TimeoutError:
@@ -113,11 +112,11 @@ class Session:
             left = deadline - time.monotonic()
             if left <= 0:
                 raise SessionEndedError(_TOO_SLOW)
-            self._socket.settimeout(min(left, _WATCH_SECONDS))
+            self._process.channel.settimeout(min(left, _WATCH_SECONDS))
             try:
-                part = self._socket.recv(min(count, 2**20))
+                part = self._process.channel.recv(min(count, 2**20))
             except TimeoutError:
-                if self._server.memory() > self._limits.memory_mb * 2**20:
+                if self._server.memory(self._process) > self._limits.memory_mb * 2**20:
                     raise SessionEndedError(_TOO_MUCH_MEMORY) from None
                 continue
             except OSError:

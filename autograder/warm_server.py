@@ -3,6 +3,7 @@
 There is one for each worker. It has Python, NumPy, Matplotlib, IPython, SymPy and `course` loaded, and has never seen the judge.
 """
 
+import atexit
 import contextlib
 import functools
 import json
@@ -15,7 +16,7 @@ import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from autograder.cgroups import ControlGroup
 from autograder.sandbox.wire import MAX_CONTROL
@@ -48,58 +49,63 @@ def sandbox_problem() -> str | None:
 @functools.cache
 def warm_server(sandbox: bool) -> "WarmServer":
     """Return this process's server; it is started at the first call and ends with this process."""
-    return WarmServer(sandbox)
+    server = WarmServer(sandbox)
+    atexit.register(server.close)
+    return server
+
+
+class Process(NamedTuple):
+    """The process of one notebook: its number, as the server knows it, the socket on which it talks, and its folder, if it is ours."""
+
+    pid: int
+    channel: socket.socket
+    folder: "tempfile.TemporaryDirectory[str] | None"
 
 
 class WarmServer:
-    """A warm process and the socket on which it is told what to do. It serves one notebook at a time."""
+    """A warm process and the socket on which it is told what to do."""
 
     def __init__(self, sandbox: bool) -> None:
         self._sandbox = sandbox
         self._process: subprocess.Popen[bytes] | None = None
-        self._folder: tempfile.TemporaryDirectory[str] | None = None
         self._group: ControlGroup | None = None
         #: whether system calls are filtered
         self.sealed = False
 
-    def start(self, slot: int, limits: Mapping[str, int]) -> socket.socket:
-        """Fork a process for one notebook and return the socket on which it talks.
+    def start(self, slot: int, limits: Mapping[str, int]) -> Process:
+        """Fork a process for one notebook.
 
         `slot` tells notebooks that run at the same time apart; `limits` as the sandbox's confinement takes them. Raises
         NoSandboxError if it cannot be done.
         """
-        ours, theirs = socket.socketpair()
         request = {"do": "start", "uid": _FIRST_UID + slot, "limits": dict(limits), "folders": _FOLDERS}
-        with theirs:
-            try:
-                self._begin(request, theirs)
-            except (OSError, ValueError):
-                # whatever became of it, a new one may do
-                self.close()
-                try:
-                    self._begin(request, theirs)
-                except (OSError, ValueError) as error:
-                    complaint = self._complaint()
-                    self.close()
-                    ours.close()
-                    raise NoSandboxError(f"the sandbox did not start: {error}\n{complaint}".rstrip()) from None
-        return ours
-
-    def end(self) -> None:
-        """End the notebook's process and everything that it started."""
         try:
-            self._asked({"do": "end"})
+            return self._begun(request)
+        except (OSError, ValueError, KeyError):
+            # whatever became of it, a new one may do
+            self.close()
+        try:
+            return self._begun(request)
+        except (OSError, ValueError, KeyError) as error:
+            complaint = self._complaint()
+            self.close()
+            raise NoSandboxError(f"the sandbox did not start: {error}\n{complaint}".rstrip()) from None
+
+    def end(self, process: Process) -> None:
+        """End a notebook's process and everything that it started."""
+        try:
+            self._asked({"do": "end", "pid": process.pid})
         except (OSError, ValueError):
             # what the server leaves behind dies with it
             self.close()
-        if self._folder is not None:
-            self._folder.cleanup()
-            self._folder = None
+        process.channel.close()
+        if process.folder is not None:
+            process.folder.cleanup()
 
-    def memory(self) -> int:
-        """Return how many bytes the notebook's processes hold at this moment."""
+    def memory(self, process: Process) -> int:
+        """Return how many bytes a notebook's processes hold at this moment."""
         try:
-            return int(self._asked({"do": "memory"})["memory"])
+            return int(self._asked({"do": "memory", "pid": process.pid})["memory"])
         except (OSError, ValueError, KeyError):
             return 0
 
@@ -121,16 +127,18 @@ class WarmServer:
         """Return the process id of bubblewrap, or of the server where there is no sandbox; None if it does not run."""
         return None if self._process is None else self._process.pid
 
-    def _begin(self, request: dict[str, Any], theirs: socket.socket) -> None:
+    def _begun(self, request: dict[str, Any]) -> Process:
         if self._process is None or self._process.poll() is not None:
             self.close()
             self._launch()
+        folder = None
         if not self._sandbox:
-            self._folder = tempfile.TemporaryDirectory(prefix="notebook-")
-            (Path(self._folder.name) / "data").symlink_to(ROOT / "data")
-            request = request | {"folder": self._folder.name}
-        if not self._asked(request, theirs).get("started"):
-            raise ValueError("no process was started")
+            folder = tempfile.TemporaryDirectory(prefix="notebook-")
+            (Path(folder.name) / "data").symlink_to(ROOT / "data")
+            request = request | {"folder": folder.name}
+        ours, theirs = socket.socketpair()
+        with theirs:
+            return Process(self._asked(request, theirs)["started"], ours, folder)
 
     def _launch(self) -> None:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)

@@ -2,7 +2,7 @@
 
     python -m autograder.sandbox.forking CONTROL CONFINED
 
-CONTROL is the descriptor of a socket (SOCK_SEQPACKET) on which the grader's side asks for notebook processes, one at a time, and
+CONTROL is the descriptor of a socket (SOCK_SEQPACKET) on which the grader's side asks for notebook processes, and
 hands over the socket on which each of them will talk. CONFINED is 1 inside bubblewrap. No student code ever runs in this process,
 and nothing of a student's is ever told to it.
 """
@@ -17,10 +17,11 @@ import random
 import signal
 import socket
 import sys
-from typing import Any
+from collections.abc import Collection
+from typing import Any, NoReturn
 
 from autograder.sandbox.cells import Cells
-from autograder.sandbox.confinement import adopt_grandchildren, confined_child, limit_resources, seal_if_possible
+from autograder.sandbox.confinement import Seal, adopt_grandchildren, confined_child, limit_resources, seal_if_possible
 from autograder.sandbox.runner import serve
 from autograder.sandbox.wire import MAX_CONTROL
 
@@ -34,39 +35,46 @@ def main(control: socket.socket, confined: bool) -> None:
     seal = seal_if_possible() if confined else None
     adopt_grandchildren()
     control.send(json.dumps({"ready": True, "seal": seal is not None}).encode())
-    child = 0
+    children: set[int] = set()
     while True:
         text, descriptors, _, _ = socket.recv_fds(control, MAX_CONTROL, 1)
         if not text:
-            _end(child)
-            return
+            break
         request = json.loads(text)
-        if request["do"] == "start":
-            _end(child)
-            channel = socket.socket(fileno=descriptors[0])
-            child = _started(cells, channel, control, request, (confined, seal))
-            channel.close()
-            control.send(json.dumps({"started": child}).encode())
-        elif request["do"] == "end":
-            _end(child)
-            child = 0
-            control.send(json.dumps({"ended": True}).encode())
-        else:
-            control.send(json.dumps({"memory": _memory_of(child)}).encode())
+        match request["do"]:
+            case "start":
+                with socket.socket(fileno=descriptors[0]) as channel:
+                    child = _forked(request, confined, seal)
+                    if not child:
+                        control.close()
+                        _serve(cells, channel, request, confined)
+                children.add(child)
+                told = {"started": child}
+            case "end":
+                # of its own children only: another server may have had this number
+                _end({request["pid"]} & children)
+                children.discard(request["pid"])
+                told = {"ended": request["pid"]}
+            case _:
+                told = {"memory": _memory_of(request["pid"])}
+        control.send(json.dumps(told).encode())
+    _end(children)
 
 
-def _started(cells: Cells, channel: socket.socket, control: socket.socket, request: dict[str, Any], how: tuple[bool, Any]) -> int:
-    """Fork a process that serves one notebook on `channel`, and return its pid."""
-    confined, seal = how
-    child = confined_child(request["uid"], request["limits"], request["folders"], seal) if confined else os.fork()
-    if child:
-        return child
-    # nothing may come back from here into the loop above
+def _forked(request: dict[str, Any], confined: bool, seal: Seal | None) -> int:
+    """Fork a process for one notebook: return its pid here, and 0 there."""
+    if confined:
+        return confined_child(request["uid"], request["limits"], request["folders"], seal)
+    return os.fork()
+
+
+def _serve(cells: Cells, channel: socket.socket, request: dict[str, Any], confined: bool) -> NoReturn:
+    """Be the process of one notebook. Nothing comes back from here into the loop of the server."""
     try:
-        control.close()
         if not confined:
             os.setsid()
             os.chdir(request["folder"])
+            os.environ |= {name: request["folder"] for name in ("HOME", "MPLCONFIGDIR", "IPYTHONDIR")}
             limit_resources(request["limits"])
         _begin_anew()
         cells.watch_descriptors()
@@ -85,16 +93,15 @@ def _begin_anew() -> None:
     gc.enable()
 
 
-def _end(child: int) -> None:
-    """Kill the child: with the first process of its pid namespace, or with its group, goes everything that it started."""
-    if not child:
-        return
-    for kill in (os.kill, os.killpg):
-        with contextlib.suppress(ProcessLookupError, PermissionError):
-            kill(child, signal.SIGKILL)
-    with contextlib.suppress(ChildProcessError):
-        os.waitpid(child, 0)
-    # what was adopted and has ended
+def _end(children: Collection[int]) -> None:
+    """Kill processes of notebooks: with the first of its pid namespace, or with its group, goes everything that it started."""
+    for child in children:
+        for kill in (os.kill, os.killpg):
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                kill(child, signal.SIGKILL)
+        with contextlib.suppress(ChildProcessError):
+            os.waitpid(child, 0)
+    # adopted ones that have ended
     with contextlib.suppress(ChildProcessError):
         while os.waitpid(-1, os.WNOHANG)[0]:
             pass

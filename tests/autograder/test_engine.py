@@ -1,19 +1,26 @@
+"""The engine with executors that do what they are told, and with real processes."""
+
 import os
-from concurrent.futures import Executor, Future
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import BrokenExecutor, Executor, Future
+from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 
 from autograder import engine
-from autograder.engine import (
-    MissingReleaseError,
-    Options,
-    graded,
-    release_notebooks,
-    students_with,
-    submitted_notebooks,
-)
-from autograder.intake import NOT_HANDED_IN
-from autograder.session import Limits
+from autograder.engine import Pool, graded, local_pool
+from autograder.grading import Work
+from autograder.submissions import release_notebooks, submitted_notebooks
+
+ROOT = Path(__file__).parents[2]
+
+
+class WorkerDiedError(Exception):
+    """What this executor says when a worker died and the others live."""
 
 
 class OneByOne(Executor):
@@ -45,110 +52,137 @@ class OneByOne(Executor):
             self.do_next()
 
 
-def all_of(root, options, executor):
-    """Everything that is graded, each taken before the next is done."""
-    found = []
-    for student, notebooks in graded(root, "odometry", options, executor):
-        found.append((student, notebooks))
-        executor.done()
-    return found
+class AtOnce(Executor):
+    """Does everything at once, in this process; after a BrokenExecutor it does nothing any more."""
+
+    def __init__(self):
+        self.broken = None
+
+    def submit(self, call, work):
+        future = Future()
+        try:
+            if self.broken is not None:
+                raise self.broken
+            future.set_result(call(work))
+        except BaseException as error:
+            if isinstance(error, BrokenExecutor):
+                self.broken = error
+            future.set_exception(error)
+        return future
 
 
-def submissions(root, *students, assignment="odometry"):
-    for student in students:
-        (root / "submitted" / student / assignment).mkdir(parents=True)
+def pools(executor_class, workers=2):
+    """Opens a new executor whenever the engine asks for one, and counts them."""
+    opened = []
+
+    @contextmanager
+    def open_pool():
+        opened.append(executor_class())
+        yield Pool(opened[-1], workers, (BrokenExecutor, WorkerDiedError))
+
+    return open_pool, opened
 
 
-def test_students_are_the_folders_with_the_assignment(tmp_path):
-    submissions(tmp_path, "s2", "s10", "s1", "x y")
-    submissions(tmp_path, "other", assignment="imu")
-    (tmp_path / "submitted/file").write_text("")
-    (tmp_path / "submitted/link").symlink_to(tmp_path / "submitted/s1")
-    (tmp_path / "submitted/linked").mkdir()
-    (tmp_path / "submitted/linked/odometry").symlink_to(tmp_path / "submitted/s1/odometry")
-    assert students_with(tmp_path, "odometry") == ["s1", "s10", "s2", "x y"]
-    assert students_with(tmp_path, "odometry", "s?") == ["s1", "s2"]
-    assert students_with(tmp_path, "odometry", "S*") == []
-    assert students_with(tmp_path / "nowhere", "odometry") == []
-
-
-def test_what_was_handed_in_comes_as_bytes_or_as_the_reason_why_not(hand_in, class_root):
-    folder = hand_in("ann", pose_update=b"anything")
-    assert submitted_notebooks(class_root, "ann", "odometry") == {"pose_update": b"anything", "encoders": NOT_HANDED_IN}
-    os.symlink(class_root / "nbgrader_config.py", folder / "encoders.ipynb")
-    assert "a link or a folder is not read" in submitted_notebooks(class_root, "ann", "odometry")["encoders"].en
-
-
-def test_only_the_courses_notebooks_are_taken(hand_in, class_root):
-    folder = hand_in("ann", pose_update=b"1", numpy=b"2")
-    (folder / "numpy.py").write_text("")
-    assert submitted_notebooks(class_root, "ann", "odometry").keys() == {"pose_update", "encoders"}
-
-
-def test_the_release_is_read_in_both_languages(class_root):
-    release = release_notebooks(class_root, "odometry")
-    assert sorted(release) == [(language, name) for language in ("en", "ja") for name in ("encoders", "pose_update")]
-    assert release["ja", "encoders"] == (class_root / "release/ja/odometry/encoders.ipynb").read_bytes()
-
-
-def test_a_release_that_is_not_there_says_what_to_type(class_root):
-    (class_root / "release/ja/odometry/encoders.ipynb").unlink()
-    with pytest.raises(MissingReleaseError, match=r"not built yet: release/ja/odometry/encoders.ipynb. Type: autograder build"):
-        release_notebooks(class_root, "odometry")
+def works(count):
+    return [Work(f"s{number}", "odometry", {"pose_update": b""}, {}) for number in range(count)]
 
 
 @pytest.fixture
-def echoing(monkeypatch):
-    """Grading that gives back the work that it was given."""
-    monkeypatch.setattr(engine, "graded_submission", lambda work: [work])
+def plainly(monkeypatch):
+    """Sets what a worker does with the plain dictionary of a submission."""
+
+    def set_to(call):
+        monkeypatch.setattr(engine, "graded_plainly", call)
+        monkeypatch.setattr(engine, "refused_submission", lambda work, reason: [("refused", work.student, reason)])
+
+    return set_to
 
 
-@pytest.mark.usefixtures("echoing")
-def test_each_submission_is_graded_once_with_the_options_given(hand_in, class_root):
-    for student in ("ann", "bob", "cho"):
-        hand_in(student, pose_update=student.encode())
-    limits = Limits(cell=1.0)
-    done = all_of(class_root, Options("[ab]*", sandbox=False, limits=limits), OneByOne())
-    assert sorted(student for student, _ in done) == ["ann", "bob"]
-    for student, [work] in done:
-        assert (work.student, work.assignment, work.sandbox, work.limits) == (student, "odometry", False, limits)
-        assert work.notebooks == {"pose_update": student.encode(), "encoders": NOT_HANDED_IN}
-    assert len({work.slot for _, [work] in done}) == 2
+def test_each_submission_is_graded_once(plainly):
+    plainly(lambda data: [])
+    open_pool, opened = pools(AtOnce)
+    done = sorted((work.student, result) for work, result in graded(works(5), open_pool))
+    assert done == [(f"s{n}", []) for n in range(5)]
+    assert len(opened) == 1
 
 
-@pytest.mark.usefixtures("echoing")
-def test_only_so_many_submissions_are_in_memory_at_a_time(hand_in, class_root):
-    for number in range(10):
-        hand_in(f"s{number}", pose_update=b"")
-    executor = OneByOne()
-    assert len(all_of(class_root, Options(workers=2), executor)) == 10
-    assert len(executor.works) == 10
-    # two workers, and one piece of work ahead for each
-    assert executor.most == 4
+def test_only_so_many_submissions_are_in_memory_at_a_time(plainly):
+    plainly(lambda data: [])
+    open_pool, opened = pools(OneByOne)
+    taken = []
+
+    def lazily():
+        for work in works(10):
+            taken.append(work.student)
+            yield work
+
+    for count, _ in enumerate(graded(lazily(), open_pool), 1):
+        # two workers, and one submission ahead for each
+        assert len(taken) <= count + 4
+        opened[0].done()
+    assert len(taken) == 10
+    assert opened[0].most == 4
 
 
-def test_a_fault_reaches_the_caller(hand_in, class_root, monkeypatch):
-    def fail(work):
+def test_a_fault_reaches_the_caller(plainly):
+    def fail(data):
         raise RuntimeError("no sandbox")
 
-    monkeypatch.setattr(engine, "graded_submission", fail)
-    hand_in("ann", pose_update=b"")
+    plainly(fail)
     with pytest.raises(RuntimeError, match="no sandbox"):
-        list(graded(class_root, "odometry", Options(), OneByOne()))
+        list(graded(works(3), pools(AtOnce)[0]))
 
 
-def test_nobody_handed_in(class_root):
-    assert list(graded(class_root, "odometry", Options(), OneByOne())) == []
+@pytest.mark.parametrize("death", [BrokenExecutor, WorkerDiedError])
+def test_who_kills_a_worker_twice_is_scored_with_a_reason_and_the_others_get_what_they_deserve(plainly, death):
+    tried = []
+
+    def deadly(data):
+        tried.append(data["student"])
+        if data["student"] in ("s2", "s4"):
+            raise death
+        return []
+
+    plainly(deadly)
+    open_pool, _ = pools(AtOnce)
+    results = {work.student: result for work, result in graded(works(6), open_pool)}
+    assert {student for student, result in results.items() if result} == {"s2", "s4"}
+    assert results["s2"][0][2].en.startswith("The grader's own process ended twice")
+    assert len(results) == 6
+    assert tried.count("s2") == tried.count("s4") == 2
+
+
+@pytest.mark.parametrize("death", [BrokenExecutor, WorkerDiedError])
+def test_who_lost_a_worker_once_is_graded_again(plainly, death):
+    tried = []
+
+    def deadly_once(data):
+        tried.append(data["student"])
+        if tried.count("s1") == 1 and data["student"] == "s1":
+            raise death
+        return []
+
+    plainly(deadly_once)
+    assert sorted((work.student, result) for work, result in graded(works(3), pools(AtOnce)[0])) == [
+        (f"s{n}", []) for n in range(3)
+    ]
+
+
+def test_nobody_handed_in():
+    assert list(graded([], pools(AtOnce)[0])) == []
 
 
 def test_processes_of_its_own(root, tmp_path):
     """With the course itself: a process does not see what a test put into the table of contents."""
+    (tmp_path / "release").symlink_to(root / "release")
+    release = release_notebooks(tmp_path, "odometry")
+    given = []
     for student, content in (("ann", b""), ("bob", b"[]")):
         folder = tmp_path / "submitted" / student / "odometry"
         folder.mkdir(parents=True)
         (folder / "pose_update.ipynb").write_bytes(content)
-    (tmp_path / "release").symlink_to(root / "release")
-    done = dict(graded(tmp_path, "odometry", Options(workers=1)))
+        given.append(Work(student, "odometry", submitted_notebooks(tmp_path, student, "odometry"), release))
+    done = {work.student: notebooks for work, notebooks in graded(given, lambda: local_pool(1))}
     assert {
         (student, notebook.notebook): {result.status for result in notebook.results}
         for student, notebooks in done.items()
@@ -157,3 +191,34 @@ def test_processes_of_its_own(root, tmp_path):
         **{(student, "pose_update"): {"unreadable"} for student in ("ann", "bob")},
         **{(student, "encoders"): {"missing"} for student in ("ann", "bob")},
     }
+
+
+SLEEPS = """
+import sys, time
+from autograder import engine
+if __name__ == "__main__":
+    with engine.local_pool(2) as pool:
+        futures = [pool.executor.submit(time.sleep, 60) for _ in range(3)]
+        print(*pool.executor._processes, flush=True)
+        futures[0].result()
+"""
+
+
+@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGINT])
+def test_workers_end_with_the_grader_however_it_ends(tmp_path, end):
+    program = tmp_path / "sleeps.py"
+    program.write_text(SLEEPS)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(
+        [sys.executable, program], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=environment
+    ) as process:
+        workers = [int(pid) for pid in process.stdout.readline().split()]
+        assert len(workers) == 2
+        process.send_signal(end)
+        process.wait(20)
+    for _ in range(200):
+        if not any(Path(f"/proc/{pid}").exists() for pid in workers):
+            break
+        time.sleep(0.05)
+    else:
+        pytest.fail("workers are left")

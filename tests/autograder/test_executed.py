@@ -26,6 +26,7 @@ from autograder.executed import (
     visible,
 )
 from autograder.intake import Cell
+from autograder.released import released
 from course.language import Text
 from course.verdict import Verdict
 
@@ -352,7 +353,7 @@ def test_the_executed_notebook_is_valid_and_holds_only_our_metadata():
         Cell("code", "more"),
     ]
     outputs = [[], [], [], clean_outputs([displayed(text_plain="1")], Room()), []]
-    made = nbformat.reads(executed_notebook(RELEASE, cells, outputs).decode(), as_version=4)
+    made = nbformat.reads(executed_notebook(released(RELEASE), cells, outputs).decode(), as_version=4)
     nbformat.validate(made)
     assert made.metadata.kernelspec.name == "python3"
     assert [cell.id for cell in made.cells] == ["cell-0", "cell-1", "cell-2", "cell-3", "check_a", "cell-5"]
@@ -365,6 +366,7 @@ def test_the_executed_notebook_is_valid_and_holds_only_our_metadata():
         "check('a')",
         "more",
     ]
+    assert [cell.get("execution_count") for cell in made.cells] == [None, None, None, 1, 2, None]
     assert made.cells[3].outputs == [{"output_type": "display_data", "metadata": {}, "data": {"text/plain": "1"}}]
 
 
@@ -372,7 +374,7 @@ def test_the_executed_notebook_is_valid_and_holds_only_our_metadata():
 def test_no_text_keeps_the_notebook_from_being_written(text):
     output = clean_output({"output_type": "stream", "name": "stdout", "text": text})
     cells = [Cell(kind, text) for kind in ("code", "markdown", "raw")]
-    made = json.loads(executed_notebook(RELEASE, cells, [[output]]))
+    made = json.loads(executed_notebook(released(RELEASE), cells, [[output]]))
     assert [cell["cell_type"] for cell in made["cells"]] == ["code", "markdown", "raw"]
 
 

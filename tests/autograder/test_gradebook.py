@@ -8,10 +8,12 @@ from nbgrader.api import Gradebook
 from sqlalchemy import event
 
 from autograder.executed import executed_notebook
-from autograder.gradebook import GradebookWriter, given_scores, replace_file
-from autograder.grading import GradedNotebook, Result, release_cells
+from autograder.files import replace_file
+from autograder.gradebook import GradebookWriter, given_scores
+from autograder.grading import GradedNotebook, Result
 from autograder.intake import Cell, restored_cells
-from autograder.registering import RegistrationError
+from autograder.receipts import CannotWriteError
+from autograder.released import released
 
 SCORES = {"pose_step": 5.0, "displacement": 0.5555, "q1_derivation": None, "distance_per_count": 0.0}
 MAX = {"pose_step": 5.0, "displacement": 5.0, "q1_derivation": 10.0, "distance_per_count": 5.0}
@@ -30,8 +32,8 @@ def graded(root, text="Because.", status="graded", message="Fine.", source="def 
     """One student's graded notebooks, as if they had been run."""
     made = []
     for name, exercises in NOTEBOOKS.items():
-        release = (root / f"release/en/odometry/{name}.ipynb").read_bytes()
-        ours = release_cells(release)
+        release = released((root / f"release/en/odometry/{name}.ipynb").read_bytes())
+        ours = release.cells
         given = {"q1_derivation": text, "pose_step": source}
         handed = [Cell(cell.type, given.get(cell.grade_id, cell.source), cell.grade_id) for cell in ours]
         cells = restored_cells(ours, [cell for cell in handed if cell.source is not None])
@@ -290,7 +292,7 @@ def test_a_release_that_does_not_fit_closes_the_gradebook(course, monkeypatch):
     close = Gradebook.close
     monkeypatch.setattr(Gradebook, "close", lambda self: closed.append(close(self)))
     shutil.rmtree(course / "release/ja")
-    with pytest.raises(RegistrationError), GradebookWriter(course, "odometry"):
+    with pytest.raises(CannotWriteError, match="release/ has no notebooks"), GradebookWriter(course, "odometry"):
         pytest.fail("it opened")
     assert len(closed) == 1
 

@@ -1,3 +1,4 @@
+import io
 import json
 import re
 
@@ -5,10 +6,23 @@ import nbformat
 import pytest
 
 from autograder import grading
-from autograder.engine import release_notebooks
-from autograder.grading import Work, graded_submission, notebook_names, release_cells, result_row
+from autograder.grading import (
+    OtherVersionError,
+    Work,
+    graded_from_plain,
+    graded_plainly,
+    graded_submission,
+    notebook_names,
+    plain_work,
+    result_row,
+)
 from autograder.intake import NOT_HANDED_IN
-from autograder.session import Limits, NoSandboxError, SessionEndedError
+from autograder.receipts import exercises_hash
+from autograder.released import released
+from autograder.sandbox.wire import receive, unpacked_interview
+from autograder.session import Limits, SessionEndedError
+from autograder.submissions import release_notebooks
+from autograder.warm_server import NoSandboxError
 from course.language import Text
 from course.verdict import Verdict
 
@@ -26,8 +40,9 @@ def grade(class_release, class_contents):
     """Returns a function that grades notebooks, given by name, and returns (results by exercise, graded notebooks by name)."""
     release = release_notebooks(class_release, "odometry")
 
-    def run(sandbox=False, limits=None, **notebooks):
-        made = graded_submission(Work("ann", "odometry", notebooks, release, sandbox, limits=limits or Limits(check=2.0)))
+    def run(sandbox=False, limits=None, seeds=(), **notebooks):
+        work = Work("ann", "odometry", notebooks, release, sandbox, limits=limits or Limits(check=2.0), seeds=dict(seeds))
+        made = graded_submission(work)
         return {result.exercise: result for notebook in made for result in notebook.results}, {n.notebook: n for n in made}
 
     return run
@@ -152,7 +167,7 @@ def test_what_cannot_be_read_gets_zeros_with_a_reason(grade, handed_in, status):
 
 
 def test_the_reason_comes_in_the_language_of_the_other_notebook_or_of_the_broken_one(grade, monkeypatch):
-    monkeypatch.setattr(grading, "_run", lambda work, cells, *_: ([[]] * len(cells), {}, None))
+    monkeypatch.setattr(grading._Run, "all_cells", lambda *_: None)
     english = b'{"cells": [{"cell_type": "code", "source": "from course.en import check"}]}'
     missing, _ = grade(pose_update=english, encoders=NOT_HANDED_IN)
     assert missing["distance_per_count"].message == NOT_HANDED_IN.en
@@ -259,7 +274,7 @@ def test_messages_hold_nothing_that_acts_or_hides(grade, answered):
 def test_the_sandbox_changes_no_score(grade, answered):
     def scores(sandbox):
         data = answered("pose_update", "ja", pose_step=WRONG_SIN_COS, displacement="def displacement(*a): return [1]")
-        results, graded = grade(sandbox=sandbox, pose_update=data)
+        results, graded = grade(sandbox=sandbox, pose_update=data, seeds={"pose_step": 1, "displacement": 2})
         return results, json.loads(graded["pose_update"].executed)
 
     assert scores(True) == scores(False)
@@ -323,18 +338,60 @@ def test_no_message_hides_anything_whoever_wrote_it(grade, answered, monkeypatch
     hidden = Text("x\x1b\u202e\ud800", "あ\0")
     monkeypatch.setattr(grading, "Session", Played)
     monkeypatch.setattr(Played, "outputs", [], raising=False)
-    monkeypatch.setattr(grading, "judged", lambda exercise, ask: Verdict(exercise.name, 0.0, hidden, rung="value"))
+    monkeypatch.setattr(grading, "judged", lambda exercise, ask, seed: Verdict(exercise.name, 0.0, hidden, rung="value"))
     for language, seen in (("en", "x\\u001b\\u202e\\ud800"), ("ja", "あ\\u0000")):
         results, graded = grade(pose_update=answered("pose_update", language))
         assert results["pose_step"].message == seen
         assert outputs(graded["pose_update"], 'check("pose_step")')[0]["traceback"][-1] == seen
 
 
+# on the way through an executor
+
+
+def test_a_submission_crosses_as_plain_data_and_comes_back_the_same(class_release, answered):
+    release = release_notebooks(class_release, "odometry")
+    notebooks = {"pose_update": answered(pose_step=WRONG_SIN_COS), "encoders": NOT_HANDED_IN}
+    work = Work("ann", "odometry", notebooks, release, False, 3, Limits(check=2.0), {"pose_step": 5, "displacement": 6})
+    packed = plain_work(work, exercises_hash())
+    assert json.dumps(packed, default=lambda data: type(data) is bytes or pytest.fail(str(type(data))), skipkeys=True)
+    assert graded_from_plain(graded_plainly(packed)) == graded_submission(work)
+
+
+def test_a_worker_of_another_version_does_not_grade(class_release, answered):
+    release = release_notebooks(class_release, "odometry")
+    with pytest.raises(OtherVersionError, match="another version of the course"):
+        graded_plainly(plain_work(Work("ann", "odometry", {"pose_update": answered()}, release), "yesterday's"))
+
+
+# the cases
+
+
+def test_the_seed_decides_on_the_cases_and_is_told(class_release, answered):
+    release = release_notebooks(class_release, "odometry")
+    first, again, other = (
+        graded_submission(
+            Work("ann", "odometry", {"pose_update": answered(pose_step=WRONG_SIN_COS)}, release, False, seeds={"pose_step": seed})
+        )[0]
+        for seed in (1, 1, 2)
+    )
+    assert [graded.results[0].seed for graded in (first, again, other)] == [1, 1, 2]
+    assert first.replies == again.replies
+    assert first.replies["pose_step"] != other.replies["pose_step"]
+    assert first.results[1].seed not in (None, again.results[1].seed)
+
+
+def test_what_wrong_answers_replied_is_kept_and_what_right_ones_replied_is_not(honest):
+    assert honest.replies.keys() == {"pose_step"}
+    talk = unpacked_interview(receive(io.BytesIO(honest.replies["pose_step"]).read))
+    assert len(talk.replies) > 5
+    assert all(reply.value.shape == (3,) for reply in talk.replies)
+
+
 # the release
 
 
 def test_the_flags_are_those_of_the_release(class_release):
-    cells = release_cells((class_release / "release/en/odometry/pose_update.ipynb").read_bytes())
+    cells = released((class_release / "release/en/odometry/pose_update.ipynb").read_bytes()).cells
     flags = {cell.grade_id: (cell.type, cell.locked, cell.graded) for cell in cells if cell.grade_id}
     assert flags == {
         "q1_derivation": ("markdown", False, True),

@@ -80,7 +80,7 @@ ERRORS = {
         "Mute",
         "",
     ),
-    "input": ("input('name?')", "EOFError", "EOF when reading a line"),
+    "input": ("input('name?')", "StdinNotImplementedError", "does not support input requests"),
     "NUL": ("x = 'a\0b'", "SyntaxError", ""),
 }
 

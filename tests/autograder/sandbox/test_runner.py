@@ -1,13 +1,5 @@
-import os
-import resource
-import socket
-import subprocess
-import sys
-
 import pytest
 
-from autograder.sandbox.wire import receive, send, unpacked_interview
-from autograder.session import ROOT
 from course.answers import Missing, Question
 
 
@@ -62,37 +54,3 @@ def test_an_axes_comes_as_a_summary(session):
     figure = session.ask("graph", []).figure
     assert figure["lines"][0]["xy"].tolist() == [[0, 2], [1, 3]]
     assert figure["lines"][0]["label"] == "path"
-
-
-# the process
-
-
-def started(theirs, *limits):
-    return subprocess.Popen(
-        [sys.executable, "-P", "-m", "autograder.sandbox.runner", str(theirs.fileno()), "0", *map(str, limits)],
-        pass_fds=[theirs.fileno()],
-        env={"PATH": os.environ["PATH"], "PYTHONPATH": str(ROOT), "MPLBACKEND": "Agg", "OPENBLAS_NUM_THREADS": "1"},
-        stderr=subprocess.PIPE,
-    )
-
-
-def test_it_keeps_to_its_limits_answers_by_number_and_ends_with_its_master():
-    ours, theirs = socket.socketpair()
-    with theirs:
-        process = started(theirs, 2048, 77, 4000)
-    with process, ours, ours.makefile("rwb") as stream:
-        assert receive(stream.read) == {"id": 0, "ready": True}
-        limits = {
-            resource.RLIMIT_AS: 2048 * 2**20,
-            resource.RLIMIT_CPU: 77,
-            resource.RLIMIT_NPROC: 4000,
-            resource.RLIMIT_CORE: 0,
-            resource.RLIMIT_FSIZE: 64 * 2**20,
-        }
-        assert {kind: resource.prlimit(process.pid, kind)[1] for kind in limits} == limits
-        send(stream, {"id": 17, "do": "run", "source": "print('a')", "seconds": 5.0})
-        assert receive(stream.read) == {"id": 17, "outputs": [{"output_type": "stream", "name": "stdout", "text": "a\n"}]}
-        send(stream, {"id": 18, "do": "ask", "name": "nothing", "questions": [], "seconds": 5.0})
-        assert unpacked_interview(receive(stream.read)["interview"]).missing == Missing("undefined")
-        ours.shutdown(socket.SHUT_WR)
-        assert process.wait(30) == 0
