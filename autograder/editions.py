@@ -12,6 +12,7 @@ import jupytext
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
+from autograder.demonstrations import dependents
 from autograder.exercise import check_cell
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
 from course.language import LANGUAGES
@@ -93,6 +94,7 @@ def _mistakes(cells: Sequence[NotebookNode], notebook: str) -> Iterator[str]:
     yield from _name_mistakes(cells, notebook, "written", WRITTEN)
     yield from _written_mistakes(cells)
     yield from _solution_mistakes(cells)
+    yield from _demo_mistakes(cells)
 
 
 def _at(cells: Sequence[NotebookNode], index: int) -> str:
@@ -192,6 +194,17 @@ def _solution_mistakes(cells: Sequence[NotebookNode]) -> Iterator[str]:
             yield f"{_at(cells, index)}: it must hold {what}"
         elif cell.cell_type == "code" and len(_shown_lines(cell.source)) > MAX_LINES:
             yield f"{_at(cells, index)}: students see {len(_shown_lines(cell.source))} lines; split it, {MAX_LINES} are the limit"
+
+
+def _demo_mistakes(cells: Sequence[NotebookNode]) -> Iterator[str]:
+    """Yield where a demonstration is needed by what comes after it: when work is graded it is left out."""
+    code = [index for index, cell in enumerate(cells) if cell.cell_type == "code"]
+    demos = ["demo" in cells[index].metadata.get("tags", []) for index in code]
+    try:
+        for demo, cell, name in dependents([cells[index].source for index in code], demos):
+            yield f"{_at(cells, code[cell])}: it needs {name} from {_at(cells, code[demo])}, which is tagged demo: take that tag away"
+    except SyntaxError as error:
+        yield f"a code cell is no Python: {error}"
 
 
 def _shown_lines(source: str) -> list[str]:

@@ -4,6 +4,7 @@
 """
 
 import io
+import logging
 import sys
 import threading
 from collections.abc import Collection, Mapping, Sequence
@@ -16,7 +17,7 @@ from autograder.intake import NOT_HANDED_IN, Cell, UnreadableError, language_of,
 from autograder.judging import judged
 from autograder.receipts import exercises_hash
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
-from autograder.released import released
+from autograder.released import Release, released
 from autograder.sandbox.wire import packed_interview, send
 from autograder.session import Limits, Session, SessionEndedError
 from autograder.warm_server import NoSandboxError
@@ -83,7 +84,8 @@ class OtherVersionError(RuntimeError):
     """A worker has another version of the course than the grader, so its verdicts would not be ours."""
 
 
-# one warm server serves one notebook at a time; a worker of a cluster may have several threads
+_log = logging.getLogger(__name__)
+# a worker of a cluster may have several threads, and warnings and alarms belong to a whole process
 _one_at_a_time = threading.Lock()
 
 
@@ -155,6 +157,7 @@ def _graded_notebook(work: Work, name: str) -> GradedNotebook:
     except NoSandboxError:
         raise
     except Exception as error:  # one submission must not stop the others, whatever it is
+        _log.exception("the grader failed on %r of %r", name, work.student)
         return _refused(work, name, _FAILED.format(error=type(error).__name__), "failed")
 
 
@@ -163,7 +166,7 @@ def _run_and_judged(work: Work, name: str, submitted: Sequence[Cell]) -> GradedN
     release = released(work.release[language, name])
     cells = restored_cells(release.cells, submitted)
     run = _Run(work, language)
-    run.all_cells(cells, release.demos)
+    run.all_cells(cells, release)
     handed_in = {cell.grade_id for cell in submitted}
     results = _results(work, name, cells, handed_in, run)
     return GradedNotebook(name, language, tuple(results), executed_notebook(release, cells, run.outputs), run.replies)
@@ -181,13 +184,14 @@ class _Run:
         self.replies: dict[str, bytes] = {}
         self.stopped: Text | None = None
 
-    def all_cells(self, cells: Sequence[Cell], demos: Collection[str]) -> None:
-        """Run the cells and ask the judge at each check; demonstrations that were left unchanged need not run again."""
+    def all_cells(self, cells: Sequence[Cell], release: Release) -> None:
+        """Run the cells and ask the judge at each check."""
         self.outputs = [None for _ in cells]
         try:
             with Session(self._work.limits, self._work.sandbox, self._work.slot) as session:
+                left_out = _left_out(session, cells, release)
                 for index, cell in enumerate(cells):
-                    if cell.type != "code" or cell.source in demos:
+                    if cell.type != "code" or cell.source in left_out:
                         continue
                     if cell.locked and cell.graded:
                         shown, room = [self._judged(session, checked_exercise(str(cell.grade_id)))], self._answers_room
@@ -210,6 +214,13 @@ class _Run:
         if not verdict.passed and talks:
             self.replies[name] = reply_bytes(talks[-1])
         return verdict_output(verdict, self.language)
+
+
+def _left_out(session: Session, cells: Sequence[Cell], release: Release) -> frozenset[str]:
+    """Return the sources of demonstrations that need not run: left unchanged, and without a name that the student's own code uses."""
+    own = [cell.source for cell in cells if cell.type == "code" and cell.source not in release.code]
+    used = session.names(own)
+    return frozenset(source for source, names in release.demos.items() if not names & used)
 
 
 def _results(work: Work, name: str, cells: Sequence[Cell], handed_in: Collection[str | None], run: _Run) -> list[Result]:

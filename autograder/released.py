@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
+from autograder.demonstrations import bound_names
 from autograder.intake import Cell
 
 
@@ -14,14 +15,16 @@ class Release:
     """A released notebook.
 
     `notebook` is its JSON as it stands; `cells` its cells with the flags that nbgrader gave them; `templates` the cells as JSON by
-    grade id; `points` of each grade id; `demos` the sources of the teacher's demonstrations; `prose` those of the course's own text.
+    grade id; `points` of each grade id; `demos` the sources of the teacher's demonstrations with the names that they define; `code` the
+    sources of all our code; `prose` those of the course's own text.
     """
 
     notebook: Mapping[str, Any]
     cells: tuple[Cell, ...]
     templates: Mapping[str, Mapping[str, Any]]
     points: Mapping[str, float]
-    demos: frozenset[str]
+    demos: Mapping[str, frozenset[str]]
+    code: frozenset[str]
     prose: frozenset[str]
 
 
@@ -39,6 +42,7 @@ def released(data: bytes) -> Release:
         ),
         templates={own["grade_id"]: raw for raw, own in zip(raw_cells, ours, strict=True) if own},
         points={own["grade_id"]: float(own["points"]) for own in ours if "points" in own},
-        demos=frozenset(raw["source"] for raw in raw_cells if "demo" in raw["metadata"].get("tags", [])),
+        demos={raw["source"]: bound_names(raw["source"]) for raw in raw_cells if "demo" in raw["metadata"].get("tags", [])},
+        code=frozenset(raw["source"] for raw in raw_cells if raw["cell_type"] == "code"),
         prose=frozenset(raw["source"] for raw in raw_cells if raw["cell_type"] == "markdown"),
     )

@@ -72,6 +72,14 @@ class Session:
             raise SessionEndedError(_MALFORMED)
         return outputs
 
+    def names(self, sources: Sequence[str]) -> frozenset[str]:
+        """Return the names of the notebook that these cells use, as the sandbox reads them: hostile code is not parsed here."""
+        reply = self._asked({"do": "names", "sources": list(sources)}, self._limits.check)
+        names = reply.get("names")
+        if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+            raise SessionEndedError(_MALFORMED)
+        return frozenset(names)
+
     def ask(self, name: str, questions: Sequence[Question]) -> Interview:
         """Put questions to the answer `name`."""
         packed = packed_questions(tuple(questions))

@@ -3,7 +3,6 @@
 There is one for each worker. It has Python, NumPy, Matplotlib, IPython, SymPy and `course` loaded, and has never seen the judge.
 """
 
-import atexit
 import contextlib
 import functools
 import json
@@ -15,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
+from multiprocessing.util import Finalize
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -24,6 +24,7 @@ from autograder.sandbox.wire import MAX_CONTROL
 ROOT = Path(__file__).resolve().parent.parent
 START_SECONDS = 60.0
 _ANSWER_SECONDS = 20.0
+_END_SECONDS = 2.0
 _LIB, _WORK, _DATA = "/box/lib", "/box/work", "/box/data"
 #: what a notebook may write to, and how much (MiB)
 _FOLDERS = {_WORK: 64, "/tmp": 64, "/dev/shm": 16}  # noqa: S108 - the sandbox's own
@@ -50,7 +51,8 @@ def sandbox_problem() -> str | None:
 def warm_server(sandbox: bool) -> "WarmServer":
     """Return this process's server; it is started at the first call and ends with this process."""
     server = WarmServer(sandbox)
-    atexit.register(server.close)
+    # in a process of a pool nothing else is run at its end
+    Finalize(None, server.close, exitpriority=10)
     return server
 
 
@@ -112,10 +114,13 @@ class WarmServer:
     def close(self) -> None:
         """End the server, and with it the notebook that runs."""
         if self._process is not None:
+            # it ends when nobody is at the other end any more
+            self._control.close()
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(_END_SECONDS)
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(self._process.pid, signal.SIGKILL)
             self._process.wait()
-            self._control.close()
             self._errors.close()
             self._process = None
         if self._group is not None:

@@ -1,5 +1,6 @@
 """Running notebook cells as IPython runs them, without a kernel: the outputs come back as plain dictionaries."""
 
+import ast
 import base64
 import builtins
 import contextlib
@@ -8,7 +9,9 @@ import itertools
 import os
 import signal
 import sys
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
+from types import CodeType
 from typing import Any
 
 import matplotlib_inline.config
@@ -26,6 +29,9 @@ from course.plotting import new_axes
 MAX_TEXT = 100_000
 MAX_PICTURES = 8 * 2**20
 MAX_OUTPUTS = 200
+MAX_NAMES = 10_000
+# at the top of a cell `await` is allowed
+_AWAIT = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 
 Output = dict[str, Any]
 
@@ -193,6 +199,15 @@ class Cells:
         names: dict[str, object] = self._shell.user_ns
         return names
 
+    def names_used(self, sources: Iterable[str]) -> list[str]:
+        """Return the names that cells use and do not define within a function of their own; attributes are among them."""
+        used: set[str] = set()
+        for source in sources:
+            # what does not compile will not run either
+            with contextlib.suppress(Exception), warnings.catch_warnings(action="ignore"):
+                used |= _names_in(compile(self._without_magics(source), "cell", "exec", _AWAIT))
+        return sorted(used)[:MAX_NAMES]
+
     def run(self, source: str, seconds: float) -> list[Output]:
         """Run one cell for at most `seconds` and return its outputs."""
         self._outputs.clear()
@@ -210,6 +225,10 @@ class Cells:
             return str(self._shell.transform_cell(source))
         except Exception:  # it will not run either
             return source
+
+
+def _names_in(code: CodeType) -> set[str]:
+    return set(code.co_names).union(*(_names_in(part) for part in code.co_consts if isinstance(part, CodeType)))
 
 
 @contextlib.contextmanager

@@ -74,7 +74,7 @@ def _serve(cells: Cells, channel: socket.socket, request: dict[str, Any], confin
         if not confined:
             os.setsid()
             os.chdir(request["folder"])
-            os.environ |= {name: request["folder"] for name in ("HOME", "MPLCONFIGDIR", "IPYTHONDIR")}
+            os.environ |= dict.fromkeys(("HOME", "MPLCONFIGDIR", "IPYTHONDIR"), request["folder"])
             limit_resources(request["limits"])
         _begin_anew()
         cells.watch_descriptors()
@@ -146,3 +146,5 @@ def _warm_cells() -> Cells:
 
 if __name__ == "__main__":
     main(socket.socket(fileno=int(sys.argv[1])), sys.argv[2] == "1")
+    # taking the modules down one by one would take longer than all else here
+    os._exit(0)

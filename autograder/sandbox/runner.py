@@ -32,6 +32,8 @@ def serve(channel: socket.socket, cells: Cells) -> None:
 def _answer(cells: Cells, request: dict[str, Any]) -> dict[str, Any]:
     if request["do"] == "run":
         return {"outputs": cells.run(request["source"], request["seconds"])}
+    if request["do"] == "names":
+        return {"names": cells.names_used(request["sources"])}
     answer, missing = find(request["name"], cells.namespace, cells.sources)
     if missing is not None:
         return {"interview": packed_interview(Interview(missing=missing))}
