@@ -15,7 +15,12 @@ from autograder.sample import solutions
 ROOT = Path(__file__).resolve().parent.parent
 ASSIGNMENT = "odometry"
 _WRONG_SHARE = 0.15
-_OWN_CELLS = ("1 + 1", "import numpy as np\nnp.linspace(0, 1, 5)", "print('ここまで')", "# still to do\nx = [n**2 for n in range(10)]\nx")
+_OWN_CELLS = (
+    "1 + 1",
+    "import numpy as np\nnp.linspace(0, 1, 5)",
+    "print('ここまで')",
+    "# still to do\nx = [n**2 for n in range(10)]\nx",
+)
 
 
 def make_class(folder: Path, students: int) -> Path:

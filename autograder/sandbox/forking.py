@@ -31,7 +31,7 @@ _WARM = ("numpy.random", "numpy.fft", "numpy.linalg", "matplotlib.pyplot", "symp
 
 def main(control: socket.socket, confined: bool) -> None:
     """Load everything, say so, and serve until the grader hangs up."""
-    cells = _warm_cells()
+    cells = warm_cells()
     seal = seal_if_possible() if confined else None
     adopt_grandchildren()
     control.send(json.dumps({"ready": True, "seal": seal is not None}).encode())
@@ -126,7 +126,7 @@ def _proportional(pid: int) -> int:
         return 1024 * int(next(line for line in file if line.startswith("Pss:")).split()[1])
 
 
-def _warm_cells() -> Cells:
+def warm_cells() -> Cells:
     """Load what notebooks use, run a cell, draw a figure: what is slow the first time is over when a notebook comes."""
     gc.disable()
     for name in _WARM:
