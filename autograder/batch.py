@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from autograder.engine import ClusterError, Options, dask_pool, graded, local_pool
 from autograder.exercise import check_cell
 from autograder.grading import GradedNotebook, OtherVersionError, Result, Work, result_from_row, result_row
+from autograder.late import LatePenaltyError
 from autograder.receipts import (
     CannotWriteError,
     Receipt,
@@ -60,13 +61,15 @@ def grade_class(
     except (KeyError, MissingReleaseError) as error:
         raise BatchError(str(error.args[0])) from error
     students = students_with(root, assignment, options.student)
+    if options.only is not None:
+        students = {student: folder for student, folder in students.items() if student in options.only}
     if not students:
         where = root / "submitted" / options.student / assignment
         raise BatchError(f"nobody handed in {assignment!r}: there is no folder that fits {where}")
     try:
         with _only_grader(root), _Batch(root, assignment, options, release) as batch:
             return batch.results(students, on_progress)
-    except (NoSandboxError, OtherVersionError, ClusterError, SecretError, CannotWriteError) as error:
+    except (NoSandboxError, OtherVersionError, ClusterError, SecretError, CannotWriteError, LatePenaltyError) as error:
         raise BatchError(str(error)) from error
     except OSError as error:
         raise BatchError(f"{error}. What was graded so far is kept; type the same command again for the rest.") from error
@@ -80,6 +83,8 @@ class _Begun:
     receipt: Receipt
     #: results of notebooks that have used up their attempts
     kept: tuple[Result, ...] = ()
+    #: notebooks that were the same when the submission was graded before
+    unchanged: frozenset[str] = frozenset()
     started: float = field(default_factory=time.monotonic)
 
 
@@ -170,7 +175,13 @@ class _Batch:
             results=(),
             begun=datetime.now(UTC).isoformat(timespec="seconds"),
         )
-        return _Begun(work, receipt, tuple(self._used_up(result, receipt.languages[result.notebook]) for result in kept))
+        known = before.notebooks if before is not None else {}
+        return _Begun(
+            work,
+            receipt,
+            tuple(self._used_up(result, receipt.languages[result.notebook]) for result in kept),
+            frozenset(name for name, content in given.items() if known.get(name) == content),
+        )
 
     def _seed(self, student: str, exercise: str, attempt: int) -> int:
         return exercise_seed(self._secret, student, self._assignment, exercise, attempt)
@@ -200,7 +211,7 @@ class _Batch:
 
             self._gradebook = GradebookWriter(self._root, self._assignment).__enter__()
         student = begun.work.student
-        self._gradebook.write(student, notebooks, begun.kept)
+        self._gradebook.write(student, notebooks, begun.kept, begun.unchanged)
         results = [*begun.kept, *(result for notebook in notebooks for result in notebook.results)]
         receipt = replace(
             begun.receipt,

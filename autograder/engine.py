@@ -31,7 +31,7 @@ class Options:
 
     Which students (a shell pattern), how many workers (0: one for each processor), in the sandbox or not, the limits, the address of
     a Dask scheduler to use instead of workers here, whether to grade again what has not changed, and how many different versions
-    of a notebook a student may have graded.
+    of a notebook a student may have graded. `only`: no other students than these; None: all that fit the pattern.
     """
 
     student: str = "*"
@@ -41,6 +41,7 @@ class Options:
     scheduler: str = ""
     regrade: bool = False
     attempts: int = MAX_ATTEMPTS
+    only: frozenset[str] | None = None
 
 
 class ClusterError(RuntimeError):

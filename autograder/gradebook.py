@@ -3,9 +3,8 @@
 import json
 import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ from autograder.executed import as_markdown
 from autograder.exercise import check_cell, checked_exercise
 from autograder.files import replace_file
 from autograder.grading import GradedNotebook, Result
+from autograder.late import LatePenalties
 from autograder.receipts import CannotWriteError
 from autograder.registering import RegistrationError, register
 from autograder.settings import course_id, db_url
@@ -26,8 +26,9 @@ class GradebookWriter:
 
     def __enter__(self) -> "GradebookWriter":
         with _written_or_said():
-            self._gradebook = _opened(self._root)
+            self._gradebook = open_gradebook(self._root)
         try:
+            self._late = LatePenalties(self._root)
             with _written_or_said():
                 register(self._gradebook, self._root, self._assignment)
         except BaseException:
@@ -38,10 +39,13 @@ class GradebookWriter:
     def __exit__(self, *_: object) -> None:
         self._gradebook.close()
 
-    def write(self, student: str, graded: Sequence[GradedNotebook], kept: Sequence[Result] = ()) -> None:
+    def write(
+        self, student: str, graded: Sequence[GradedNotebook], kept: Sequence[Result] = (), unchanged: Collection[str] = ()
+    ) -> None:
         """Write one submission: scores and comments in one transaction, and the executed notebooks into autograded/.
 
         `kept` are results that stand although something newer was handed in: they are entered, and their notebooks stay.
+        `unchanged` names the notebooks that were graded before, just as they are: they arrived then.
 
         The notebooks are put in place last: if anything fails before, the next run still sees which written answers have changed.
         """
@@ -50,23 +54,16 @@ class GradebookWriter:
         paths = {notebook.notebook: folder / f"{notebook.notebook}.ipynb" for notebook in graded}
         try:
             with _written_or_said():
-                self._enter(student, graded, kept, paths)
+                submission = self._submission(student)
+                _enter_all(submission, graded, kept, paths)
+                new = [notebook.notebook for notebook in graded if notebook.notebook not in unchanged]
+                self._late.enter(submission, self._root / "submitted" / student / self._assignment, new)
                 self._gradebook.db.commit()
         except BaseException:
             self._gradebook.db.rollback()
             raise
         for notebook in graded:
             replace_file(paths[notebook.notebook], notebook.executed)
-
-    def _enter(self, student: str, graded: Sequence[GradedNotebook], kept: Sequence[Result], paths: Mapping[str, Path]) -> None:
-        submission = self._submission(student)
-        rows = {entry.name: entry for entry in submission.notebooks}
-        for notebook in graded:
-            before, after = _written_before(paths[notebook.notebook]), _written_texts(notebook.executed)
-            rewritten = {name for name, text in before.items() if text != after.get(name)}
-            _enter(rows[notebook.notebook], notebook.results, rewritten)
-        for result in kept:
-            _enter(rows[result.notebook], [result], set())
 
     def _submission(self, student: str) -> Any:
         """Return the student's submission with a grade and a comment for every cell, making what is not there."""
@@ -82,8 +79,6 @@ class GradebookWriter:
         )
         if submission is None:
             submission = SubmittedAssignment(assignment=assignment, student=person)
-            # the time is the server's: what lies beside a submission was written by the student
-            submission.timestamp = datetime.now(UTC).replace(tzinfo=None)
             session.add(submission)
         _complete(session, submission)
         return submission
@@ -110,7 +105,7 @@ def given_scores(
 ) -> dict[tuple[str, str], tuple[float | None, str | None]]:
     """Return the points that stand in the gradebook, and the misconception of the result, by (student, exercise)."""
     given = {}
-    with _opened(root) as gradebook:
+    with open_gradebook(root) as gradebook:
         scores = {
             (grade.student.id, checked_exercise(grade.name)): None if grade.needs_manual_grade else grade.score
             for submission in gradebook.assignment_submissions(assignment)
@@ -123,7 +118,7 @@ def given_scores(
     return given
 
 
-def _opened(root: Path) -> Any:
+def open_gradebook(root: Path) -> Any:
     """Return an open nbgrader.api.Gradebook of the course."""
     with _quick_import():
         from nbgrader.api import Gradebook
@@ -180,6 +175,16 @@ def _written_texts(executed: bytes) -> dict[str, str]:
     cells = json.loads(executed)["cells"]
     sources = {cell["metadata"]["nbgrader"]["grade_id"]: cell["source"] for cell in cells if "nbgrader" in cell["metadata"]}
     return {grade_id: "".join(source) for grade_id, source in sources.items()}
+
+
+def _enter_all(submission: Any, graded: Sequence[GradedNotebook], kept: Sequence[Result], paths: Mapping[str, Path]) -> None:
+    rows = {entry.name: entry for entry in submission.notebooks}
+    for notebook in graded:
+        before, after = _written_before(paths[notebook.notebook]), _written_texts(notebook.executed)
+        rewritten = {name for name, text in before.items() if text != after.get(name)}
+        _enter(rows[notebook.notebook], notebook.results, rewritten)
+    for result in kept:
+        _enter(rows[result.notebook], [result], set())
 
 
 def _enter(entry: Any, results: Sequence[Result], rewritten: set[str]) -> None:

@@ -170,7 +170,7 @@ def test_stock_nbgrader_gives_the_same_where_an_answer_is_right_or_wrong_and_0_w
         for student in gradebook.students:
             gradebook.remove_student(student.id)
         register(gradebook, class_root, "odometry")
-    run(class_root, "nbgrader", "autograde", "odometry")
+    run(class_root, "nbgrader", "autograde", "odometry", "--Autograde.exporter_class=nbconvert.exporters.NotebookExporter")
     with Gradebook(f"sqlite:///{class_root}/gradebook.db", "dead-reckoning") as gradebook:
         stock = {
             (submission.student.id, grade.name.removeprefix("check_")): None if grade.needs_manual_grade else grade.auto_score

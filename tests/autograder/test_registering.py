@@ -207,7 +207,7 @@ def test_stock_nbgrader_grades_either_edition(built, gradebook):
     submission(built, "bob", "en", "    return pose", "")
     validated = nbgrader(built, "validate", "release/en/odometry/pose_update.ipynb")
     assert "VALIDATION FAILED ON 2 CELL(S)" in validated
-    nbgrader(built, "autograde", "odometry")
+    nbgrader(built, "autograde", "odometry", "--Autograde.exporter_class=nbconvert.exporters.NotebookExporter")
     nbgrader(built, "generate_feedback", "odometry")
     scores = {
         (student, cell): (grade.auto_score, grade.needs_manual_grade)
