@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 from autograder.grading import GradedNotebook, Work, graded_from_plain, graded_plainly, plain_work, refused_submission
 from autograder.receipts import exercises_hash
+from autograder.reference import exercise_modules
 from autograder.session import Limits
 from course.language import Text
 
@@ -129,7 +130,7 @@ def local_pool(workers: int) -> Iterator[Pool]:
         os.environ.setdefault(name, "1")
     # forked from a process that has loaded the judge: started once, and without the threads of a progress bar
     context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(["autograder.grading"])
+    context.set_forkserver_preload(["autograder.grading", *exercise_modules()])
     before = set(multiprocessing.active_children())
     pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_end_with_parent)
     try:

@@ -42,10 +42,19 @@ def exercise_named(name: str) -> Exercise | GraphExercise:
     """Return the exercise `name`; KeyError, with the names there are, if it does not exist."""
     for notebook, names in NOTEBOOKS.items():
         if name in names:
-            exercise: Exercise | GraphExercise = import_module(f"{__name__}.{notebook.rpartition('/')[2]}.{name}").EXERCISE
+            exercise: Exercise | GraphExercise = import_module(_module(notebook, name)).EXERCISE
             return exercise
     known = ", ".join(name for names in NOTEBOOKS.values() for name in names)
     raise KeyError(f"no exercise is called {name!r}; there are: {known}")
+
+
+def exercise_modules() -> list[str]:
+    """Return the names of the modules of all exercises."""
+    return [_module(notebook, name) for notebook, names in NOTEBOOKS.items() for name in names]
+
+
+def _module(notebook: str, name: str) -> str:
+    return f"{__name__}.{notebook.rpartition('/')[2]}.{name}"
 
 
 def all_exercises() -> list[Exercise | GraphExercise]:
