@@ -36,7 +36,7 @@ def main() -> None:
     options = parser.parse_args()
     cores = sorted(os.sched_getaffinity(0))[:2]
     with tempfile.TemporaryDirectory(prefix="bench-") as folder:
-        figures = _figures(Path(folder), options.students, cores)
+        figures = compared(Path(folder), options.students, cores)
         if options.profile:
             _print_profile(Path(folder) / "ours")
     _print_table(figures)
@@ -44,7 +44,8 @@ def main() -> None:
         options.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
 
 
-def _figures(folder: Path, students: int, cores: list[int]) -> dict[str, Any]:
+def compared(folder: Path, students: int, cores: list[int]) -> dict[str, Any]:
+    """Grade a class of so many by us, as the floor, and by stock nbgrader, below `folder`, and return the figures."""
     console = Console(stderr=True)
     notebooks = students * len(notebook_names(ASSIGNMENT))
     console.print(f"{students} submissions, {notebooks} notebooks, cores {cores}")
