@@ -75,6 +75,13 @@ class Classroom:
         shutil.copytree(ROOT / "release", folder / "release")
         shutil.copy(ROOT / "nbgrader_config.py", folder)
 
+    @classmethod
+    def at(cls, folder: Path) -> "Classroom":
+        """Return the class of a course root that is there already."""
+        room = cls.__new__(cls)
+        room.root, room.results = folder, {}
+        return room
+
     def folder(self, student: str) -> Path:
         """Return the folder in which this student hands in, made if it is not there."""
         folder = self.root / "submitted" / student / ASSIGNMENT

@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 from urllib.parse import urlsplit
 
 import pytest
-from nbconvert.filters.markdown_mistune import markdown2html_mistune
+from nbconvert.filters.markdown_mistune import InvalidNotebook, markdown2html_mistune
 from PIL import Image
 
 from autograder.reference import NOTEBOOKS
@@ -329,47 +329,21 @@ def test_121_markdown_and_raw_cells_do_nothing_on_a_page(outcome):
     assert_safe(outcome)
 
 
-def test_121_each_hostile_text_would_act_if_it_were_not_cleaned():
-    """Otherwise these tests could not fail."""
-    inert = []
-    for name, text in HOSTILE.items():
-        page = rendered(text[:2000])
-        try:
-            assert_inert(page)
-            assert not INVISIBLE.search(text)
-            inert.append(name)
-        except AssertionError:
-            continue
-    assert set(inert) <= {
-        "link with controls",
-        "link with entities",
-        "link in percent",
-        "templates",
-        "language of a code block",
-    } | {
-        *(
-            "link",
-            "link in angles",
-            "data",
-            "reference",
-            "reference over lines",
-            "brackets",
-            "dollars",
-            "asterisks",
-            "deep lists",
-        ),
-        *(
-            "code block",
-            "directive",
-            "footnote",
-            "deep",
-            "environment",
-            "formula that defines",
-            "formula for an attribute",
-            "comment",
-        ),
-        *("unfinished", "table"),
-    }
+#: what mistune happens not to take for HTML or a link: other readers of Markdown do
+INERT_IN_MISTUNE = {
+    *("handler after a line feed", "slash for a space", "link in percent", "comment", "code block", "directive", "templates"),
+    *("formula with a tag", "formula for an attribute", "deep tags", "brackets", "asterisks", "dollars"),
+}
+
+
+@pytest.mark.parametrize("name", sorted(HOSTILE.keys() - INERT_IN_MISTUNE))
+def test_121_each_hostile_text_would_act_if_it_were_shown_as_it_is(name):
+    """Otherwise the tests of what is left of it could not fail."""
+    if INVISIBLE.search(HOSTILE[name]):
+        return
+    # nbconvert itself gives up where an attachment is missing
+    with pytest.raises((AssertionError, InvalidNotebook)):
+        assert_inert(rendered(HOSTILE[name][:2000]))
 
 
 @LINEUP.hands_in(
@@ -491,15 +465,15 @@ def test_129_noise_costs_no_points(outcome):
 
 @LINEUP.hands_in(
     {
-        "its checks": lambda: tampered(
+        "its checks": tampered(
             checks, RIGHT, source=SCRIPT, outputs=[{"output_type": "display_data", "data": {"text/html": SCRIPT}}]
-        )(),
-        "its ids": lambda: tampered(lambda made: made["cells"], RIGHT, id="'><script>alert(1)</script>")(),
+        ),
+        "its ids": tampered(lambda made: made["cells"], RIGHT, id="'><script>alert(1)</script>"),
         "its metadata": lambda: {
             **answered(RIGHT),
             "metadata": {"title": SCRIPT, "kernelspec": {"name": SCRIPT, "display_name": SCRIPT}},
         },
-        "its execution counts": lambda: tampered(lambda made: made["cells"], RIGHT, execution_count=SCRIPT)(),
+        "its execution counts": tampered(lambda made: made["cells"], RIGHT, execution_count=SCRIPT),
     }
 )
 def test_no_other_field_of_the_notebook_gets_onto_a_page(outcome):
