@@ -438,14 +438,19 @@ def in_style(chosen):
     return reduce(lambda made, name: with_answer(made, name, chosen[name]), chosen, bare(solved()))
 
 
-for _student, _chosen in PACKED.items():
-    LINEUP.called({_student: lambda chosen=_chosen: in_style(chosen)})
+@LINEUP.called({student: lambda chosen=chosen: in_style(chosen) for student, chosen in PACKED.items()})
+def test_right_answers_of_many_styles_have_all_points(outcome):
+    outcome.assert_earns(*EXERCISES)
 
 
-@pytest.mark.parametrize(("style", "exercise"), STYLES, ids=[f"{exercise}, {style}" for style, exercise in STYLES])
-def test_a_right_answer_in_any_style_has_all_points(graded, style, exercise):
-    scores = graded.room.scores(PLACE[style, exercise])
-    assert scores[exercise] == 5.0, graded.room.results[PLACE[style, exercise], exercise].message
+@pytest.mark.parametrize(
+    ("style", "exercise", "outcome"),
+    [(*key, student) for key, student in PLACE.items()],
+    ids=[f"{exercise}, {style}" for style, exercise in STYLES],
+    indirect=["outcome"],
+)
+def test_a_right_answer_in_any_style_has_all_points(outcome, style, exercise):
+    assert outcome.earned.get(exercise) == 5.0, outcome.messages[EXERCISES.index(exercise)]
 
 
 # what is wrong or missing costs just that
