@@ -453,7 +453,9 @@ def test_022_outputs_that_were_handed_in_are_no_verdict_and_are_not_shown(outcom
 
 # what cells can do that Python cannot
 
-SEARCH = r"find / \( -path '*autograder/reference*' -o -name 'gradebook.db*' -o -name submitted \) -not -path '/proc/*'"
+WHAT = r"\( -path '*autograder/reference*' -o -name 'gradebook.db*' -o -name submitted \)"
+# nbgrader's own tests hold gradebooks
+SEARCH = f"find / {WHAT} -not -path '/proc/*' -not -path '*/site-packages/nbgrader/*'"
 MAGICS = {
     "exclamation mark": f"print('looked')\n!{SEARCH} 2>/dev/null",
     "bash": f"%%bash\necho looked\n{SEARCH} 2>/dev/null || true",
@@ -497,7 +499,7 @@ SABOTAGE = {
     "breakpoint": "breakpoint()",
     "no tracebacks": "%xmode Minimal\n%colors NoColor",
     "automatic magics": "%automagic on\n%autocall 2",
-    "no names left": "%reset -f",
+    "no names left": "%reset -f\nimport numpy as np",
     "another directory": "%cd /\n%env PYTHONPATH=/tmp\n%pushd /tmp",
     "own magic": "from IPython.core.magic import register_line_magic\n@register_line_magic\ndef check(line): return 5.0",
     "profiles": "%prun sum(range(10))\n%timeit -n 1 -r 1 1",
