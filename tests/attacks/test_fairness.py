@@ -41,10 +41,12 @@ def split():
     return made
 
 
-def reordered():
+def backwards():
+    """All cells in the other order, with answers that need no other answer."""
     made = bare(solved())
-    pairs = [made["cells"][0], *reversed(made["cells"][1:])]
-    return {**made, "cells": pairs}
+    for style, exercise in (("einsum", "pose_step_matrix"), ("cumulative sums", "dead_reckoning")):
+        made = with_answer(made, exercise, STYLES[style, exercise])
+    return {**made, "cells": [made["cells"][0], *reversed(made["cells"][1:])]}
 
 
 def answers_first():
@@ -148,7 +150,7 @@ WHOLE = {
     "with cells that fail": lambda: reduce(lambda made, at: with_cell(made, "undefined_name", at), (1, 5, 9), bare(solved())),
     "with a cell that cannot be read": lambda: reduce(lambda made, at: with_cell(made, "for in:", at), (1, 5, 9), bare(solved())),
     "split": split,
-    "backwards": reordered,
+    "backwards": backwards,
     "checks at the end": lambda: {
         **bare(solved()),
         "cells": [*bare(solved())["cells"][:1], *answers(bare(solved())), *checks(bare(solved()))],
@@ -238,7 +240,6 @@ def test_right_answers_in_an_odd_notebook_have_all_points(outcome):
 
 # the answer is odd, and right
 
-POSE_STEP = "x, y, theta = pose"
 STYLES = {
     ("lambda", "pose_step"): "pose_step = lambda p, d, t: [p[0] + d * np.cos(p[2]), p[1] + d * np.sin(p[2]), p[2] + t]",
     (

@@ -309,23 +309,17 @@ def cells_of(kind, *texts):
     return made
 
 
-def chunks(count):
-    """The hostile texts in so many notebooks."""
-    names = list(HOSTILE)
-    return {f"{number + 1} of {count}": names[number::count] for number in range(count)}
-
-
 @LINEUP.hands_in(
     {
-        name: lambda kind=kind, names=names: cells_of(kind, *map(HOSTILE.get, names))
+        f"{kind} {name}": lambda kind=kind, text=text: cells_of(kind, text)
         for kind in ("markdown", "raw")
-        for name, names in {f"{kind} {name}": names for name, names in chunks(2).items()}.items()
+        for name, text in HOSTILE.items()
     }
 )
 def test_121_markdown_and_raw_cells_do_nothing_on_a_page(outcome):
     outcome.assert_earns(RIGHT)
-    # each is there, one way or another
-    assert len(outcome.executed["cells"]) == len(answered()["cells"]) + len(HOSTILE) / 2
+    # it is there, one way or another
+    assert len(outcome.executed["cells"]) == len(answered()["cells"]) + 1
     assert_safe(outcome)
 
 
