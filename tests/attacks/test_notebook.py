@@ -461,7 +461,7 @@ MAGICS = {
     "bash": f"%%bash\necho looked\n{SEARCH} 2>/dev/null || true",
     "captured": f"found = !{SEARCH}\nprint('looked', *found, sep='\\n')",
     "sx": f"%sx {SEARCH}\nprint('looked', *_, sep='\\n')",
-    "script": f"%%script sh\necho looked; {SEARCH} 2>/dev/null",
+    "script": f"%%script sh\necho looked; {SEARCH} 2>/dev/null; true",
 }
 
 
