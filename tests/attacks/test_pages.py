@@ -476,6 +476,64 @@ def test_no_other_field_of_the_notebook_gets_onto_a_page(outcome):
     assert_safe(outcome)
 
 
+#: put straight among the outputs, past everything in the notebook's process that would have stopped it
+FORGED = {
+    "html": {"output_type": "display_data", "data": {"text/plain": "reached", "text/html": SCRIPT, "image/svg+xml": SVG}},
+    "javascript": {"output_type": "execute_result", "data": {"text/plain": "reached", "application/javascript": "alert(1)"}},
+    "metadata": {
+        "output_type": "display_data",
+        "data": {"text/plain": "reached"},
+        "metadata": {"text/html": {"isolated": False}},
+    },
+    "more keys": {"output_type": "stream", "name": "stdout", "text": "reached", "transient": {"x": SCRIPT}, "html": SCRIPT},
+    "controls": {"output_type": "stream", "name": "stderr", "text": "reached \x1b[2J\u202e\x9b31m"},
+    "an error": {
+        "output_type": "error",
+        "ename": "reached \u202e",
+        "evalue": "\x1b]8;;https://evil.example\x07",
+        "traceback": ["\x00", "\u2066"],
+    },
+}
+FORGE = "outputs = get_ipython().display_pub.outputs\noutputs.items.append({!r})"
+
+
+@LINEUP.hands_in(
+    {name: lambda output=output: with_cell(answered(RIGHT), FORGE.format(output), -1) for name, output in FORGED.items()}
+)
+def test_what_the_process_tells_of_its_outputs_is_cleaned_once_more(outcome):
+    outcome.assert_earns(RIGHT)
+    assert "reached" in str(outcome.outputs)
+    assert_safe(outcome)
+
+
+MALFORMED = {
+    "no dictionary": "outputs.items.append('<script>')",
+    "no list": "outputs.items = {'output_type': 'stream'}",
+    "numbers": "outputs.items.append({'output_type': 1, 'name': 2, 'text': 3})",
+    "a kind of its own": "outputs.items.append({'output_type': '<script>', 'name': 'stdout', 'text': 'x'})",
+    "a stream of its own": "outputs.items.append({'output_type': 'stream', 'name': '<script>', 'text': 'x'})",
+    "no picture": "outputs.items.append({'output_type': 'display_data', 'data': {'image/png': '<script>'}})",
+    "deep": "for _ in range(10_000): outputs.items = [outputs.items]",
+    "without end": "outputs.items.append(outputs.items)",
+    "too much": "outputs.items += [{'output_type': 'stream', 'name': 'stdout', 'text': 'x' * 10**6}] * 1000",
+    "too many": "outputs.items += [{'output_type': 'stream', 'name': 'stdout', 'text': 'x'}] * 10**6",
+    "arrays": "outputs.items.append({'output_type': 'stream', 'name': np.zeros(3), 'text': np.zeros(10**6)})",
+    "half a pair": "outputs.items.append({'output_type': 'stream', 'name': 'stdout', 'text': '\\ud800'})",
+}
+
+
+@LINEUP.hands_in(
+    {
+        name: lambda source=source: with_cell(answered(RIGHT), f"outputs = get_ipython().display_pub.outputs\n{source}", -1)
+        for name, source in MALFORMED.items()
+    }
+)
+def test_outputs_that_are_none_harm_nobody(outcome):
+    outcome.assert_earns_at_most(RIGHT)
+    assert len(json.dumps(outcome.executed)) < 10_000_000
+    assert_safe(outcome)
+
+
 NAMES = {
     "a similar name": "def displacment(*_): return 0\ndisplacment.__name__ = '<script>'",
     "globals": "globals()['<img src=x onerror=alert(1)> displacement'] = len\nglobals()['displacemen\\u202et'] = len",
