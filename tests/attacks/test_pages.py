@@ -13,8 +13,8 @@ from nbconvert.filters.markdown_mistune import InvalidNotebook, markdown2html_mi
 from PIL import Image
 
 from autograder.reference import NOTEBOOKS
-from tests.attacks.lineup import HONEST, POINTS, Lineup, answered, bare, checks, sources, tampered
-from tests.classroom import code_cell, graded_cell, solved, untouched, with_answer, with_cell
+from tests.attacks.lineup import HONEST, Lineup, answered, bare, checks, sources, tampered
+from tests.classroom import solved, untouched, with_answer, with_cell
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(1800)]
 LINEUP = Lineup()
@@ -553,14 +553,15 @@ def test_names_in_messages_are_text(outcome):
     assert_safe(outcome)
 
 
-def test_an_honest_notebook_keeps_its_prose_and_pictures(graded):
+PLOT = "axes = new_axes()\naxes.plot([1, 2, 3])\nprint('日本語 <b> 3 < 4 $x$')"
+
+
+@LINEUP.hands_in({"prose, plot, print": lambda: with_cell(solved(), PLOT, 2)})
+def test_an_honest_notebook_keeps_its_prose_and_pictures(outcome):
     """A page on which nothing is shown would be safe too."""
-    executed = graded.room.executed(HONEST)
-    prose = [cell["source"] for cell in executed["cells"] if cell["cell_type"] == "markdown"]
+    outcome.assert_earns(*EXERCISES)
+    prose = [cell["source"] for cell in outcome.executed["cells"] if cell["cell_type"] == "markdown"]
     assert prose[0] == untouched()["cells"][0]["source"]
-    pictures = [
-        output for cell in executed["cells"] for output in cell.get("outputs", []) if "image/png" in output.get("data", {})
-    ]
-    assert len(pictures) >= 3
-    assert graded.room.total(HONEST) == len(EXERCISES) * POINTS
-    assert code_cell("x")["cell_type"] == graded_cell(executed, RIGHT)["cell_type"]
+    [plot] = [cell for cell in outcome.executed["cells"] if cell["source"] == PLOT]
+    assert {"text": "日本語 <b> 3 < 4 $x$\n"}.items() <= plot["outputs"][0].items()
+    assert any("image/png" in output.get("data", {}) for output in plot["outputs"])
