@@ -75,6 +75,13 @@ class Classroom:
         shutil.copytree(ROOT / "release", folder / "release")
         shutil.copy(ROOT / "nbgrader_config.py", folder)
 
+    @classmethod
+    def at(cls, folder: Path) -> "Classroom":
+        """Return the class of a course root that is there already."""
+        room = cls.__new__(cls)
+        room.root, room.results = folder, {}
+        return room
+
     def folder(self, student: str) -> Path:
         """Return the folder in which this student hands in, made if it is not there."""
         folder = self.root / "submitted" / student / ASSIGNMENT
@@ -83,10 +90,15 @@ class Classroom:
 
     def hand_in(self, student: str, content: dict | bytes, notebook: str = "pose_update") -> Path:
         """Put a notebook where the student hands it in and return its path."""
-        data = content if isinstance(content, bytes) else json.dumps(content, ensure_ascii=False).encode(errors="surrogatepass")
         path = self.folder(student) / f"{notebook}.ipynb"
-        path.write_bytes(data)
+        self.write(path, content)
         return path
+
+    @staticmethod
+    def write(path: Path, content: dict | bytes) -> None:
+        """Write a notebook, or the bytes that are there in its place."""
+        data = content if isinstance(content, bytes) else json.dumps(content, ensure_ascii=False).encode(errors="surrogatepass")
+        path.write_bytes(data)
 
     def grade(self, limits: Limits = LIMITS, **options) -> None:
         """Grade the class into its gradebook; `results` holds what each exercise of each student got."""
