@@ -4,15 +4,20 @@ Most of these hand in one right answer, which is defined before the attack and j
 """
 
 import inspect
+from dataclasses import replace
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 
 from tests import hostile
 from tests.attacks.cohort import EXERCISES, MARK, POINTS, attack, hands_in, left_behind
-from tests.classroom import LIMITS, solved
+from tests.classroom import LIMITS as CLASS_LIMITS
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("attacks-verdict")]
+
+
+LIMITS = replace(CLASS_LIMITS, cell=12.0, check=12.0, notebook=60.0, grace=1.0)
 
 
 # the interpreter that runs the cells
@@ -180,9 +185,6 @@ def test_050_051_values_that_read_as_points_are_none(fate):
 )
 def test_052_forged_outputs_are_only_shown_and_gain_nothing(fate):
     assert fate.total <= POINTS
-
-
-test_052_forged_outputs_are_only_shown_and_gain_nothing.__doc__ = "An object that is no data ends that notebook, or is left out."
 
 
 @hands_in(
@@ -556,8 +558,6 @@ def forged(number, **more):
 
 def talking(cell="", **more):
     """A notebook that knows how to speak to the judge."""
-    from textwrap import dedent
-
     return attack(_TALK + dedent(cell), lost=more.pop("lost", None), **more)
 
 
@@ -582,18 +582,8 @@ def test_081_leaving_is_no_verdict(fate):
     assert all(result.score == 0 for name, result in fate.results.items() if name not in ("displacement", "pose_step"))
 
 
-def test_081_the_last_check_judged_before_the_end_counts():
-    """Stated by `late` above: what was judged before the process ended keeps its points, and nothing else has any."""
-    assert attack("", right=("pose_step",), late=True).least == POINTS
-
-
 @hands_in(
-    speaker=talking("""
-        program = _TALK_SOURCE + '''
-        '''
-    """)
-    if False
-    else talking(
+    talking(
         """
         for fd in channels():
             os.set_inheritable(fd, True)
@@ -865,8 +855,6 @@ _ARRAYS = {
     patched=talking(
         """
         inner = '[' * 20000 + ']' * 20000
-        dumps = json.dumps
-        json.dumps = lambda value, *more, **named: inner if named.get("armed") else dumps(value, *more, **named)
         """,
         answers={"pose_step": "def pose_step(*args):\n    json.dumps = lambda *args, **named: inner\n    return 1"},
     ),
@@ -1017,9 +1005,3 @@ def test_answers_that_are_no_functions_of_numbers_gain_nothing(fate):
 
 def test_no_process_is_left(cohort):
     assert left_behind() == []
-
-
-def test_what_stands_beside_the_attacks_is_worth_everything(cohort):
-    assert cohort.room.total("AAA-honest") == sum(POINTS for _ in EXERCISES)
-    assert LIMITS.cell > 0
-    assert solved()["cells"]
