@@ -179,7 +179,8 @@ class Fate:
         assert self.cohort.untouched, "a file that is only to be read has changed"
         shown = self.messages + self.printed
         assert self.cohort.planted not in shown
-        assert "LEAK" not in self.printed, [line for line in self.printed.splitlines() if "LEAK" in line][:20]
+        found = re.findall("^LEAK.*$", self.printed, re.MULTILINE)
+        assert not found, found[:20]
 
 
 def left_behind() -> list[str]:

@@ -9,6 +9,7 @@ import re
 import socket
 from dataclasses import replace
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 
@@ -26,6 +27,7 @@ import ctypes, errno, gc, mmap, os, re, stat, sys
 HIDDEN = re.compile(rb"PLANTED[0-9a-f]{16}|half_dt_[a-z]{7}|hidden modul[e]:|judged_by_nam[e]")
 KNOWN = re.compile(rb"replies_t[o]")
 libc = ctypes.CDLL(None, use_errno=True)
+gc.unfreeze()
 
 def look(where, data):
     found = HIDDEN.search(data)
@@ -36,8 +38,6 @@ def look(where, data):
 
 
 def looking(cell="", **more):
-    from textwrap import dedent
-
     return attack(_NEEDLES + dedent(cell), **more)
 
 
@@ -521,51 +521,48 @@ def test_101_the_reference_is_not_to_be_imported(fate):
 
 
 _MEMORY = """
-    import resource
     class Piece(ctypes.Structure):
         _fields_ = [("base", ctypes.c_void_p), ("length", ctypes.c_size_t)]
 
     def read(pid, address, length):
-        # the kernel reads for us: an address that is not there is an error and no crash
         target = ctypes.create_string_buffer(length)
         ours, theirs = Piece(ctypes.addressof(target), length), Piece(address, length)
         got = libc.process_vm_readv(pid, ctypes.byref(ours), 1, ctypes.byref(theirs), 1, 0)
         return target.raw[:got] if got > 0 else b""
 """
+_OWN_MEMORY = """
+    SIZE = 2**16
+    reader, writer = os.pipe()
+    libc.write.argtypes = [ctypes.c_int, ctypes.c_void_p, ctypes.c_size_t]
 
+    def own(address):
+        # the kernel looks for us: an address that is not there is an error and no crash
+        got = libc.write(writer, address, SIZE)
+        return os.read(reader, SIZE) if got > 0 else b""
 
-@hands_in(
-    looking(
-        _MEMORY
-        + """
-    page, step = 4096, 2**18
-    regions = sorted({id(held) // 2**22 for held in gc.get_objects()} | {id(text) // 2**22 for text in sys.intern.__self__.__dict__})
-    pages, known, done, readable = 0, 0, set(), True
-    for region in regions:
-        for around in range(region - 2, region + 3):
-            if around in done:
-                continue
-            done.add(around)
-            for start in range(around * 2**22, (around + 1) * 2**22, step):
-                data = read(os.getpid(), start, step)
-                pages += len(data) // page
-                known += bool(KNOWN.search(data))
-                found = HIDDEN.search(data)
-                if found:
-                    print("LEAK memory", hex(start), found.group())
-                del data
+    def near(addresses, reach=2):
+        for region in sorted({address // 2**22 + shift for address in addresses for shift in range(-reach, reach + 1)}):
+            for start in range(region * 2**22, (region + 1) * 2**22, SIZE):
+                yield start
+
+    pages, known = 0, 0
+    for start in near([id(held) for held in gc.get_objects()]):
+        data = own(start)
+        pages += len(data) // 4096
+        # a text of which an end is cut off by a page that is not there is in the next one
+        known += look(hex(start), data)
+        del data
     print("pages:", pages)
     print("known:", known)
 """
-    )
-)
+
+
+@hands_in(looking(_OWN_MEMORY))
 def test_101_its_memory_has_never_held_the_reference_nor_another_students_work(fate):
     """The fork of a warm process inherits all that ever stood in it, freed memory included."""
-    pages = int(fate.line("pages"))
-    if pages:
-        assert int(fate.line("known")) > 0
-    else:  # reading one's own memory this way is refused altogether
-        assert fate.total == POINTS
+    assert int(fate.line("pages")) > 1000
+    assert int(fate.line("known")) > 0
+    assert fate.total == POINTS
 
 
 @hands_in(

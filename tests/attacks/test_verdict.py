@@ -17,7 +17,7 @@ from tests.classroom import LIMITS as CLASS_LIMITS
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("attacks-verdict")]
 
 
-LIMITS = replace(CLASS_LIMITS, cell=12.0, check=12.0, notebook=60.0, grace=1.0)
+LIMITS = replace(CLASS_LIMITS, cell=3.0, check=3.0, notebook=25.0, grace=1.0)
 
 
 # the interpreter that runs the cells
@@ -150,9 +150,8 @@ WORTH = {
         "float('inf')",
         answers={
             name: f"def {name}(*args):\n    return {value}\n\n{value}"
-            for name, value in zip(EXERCISES, WORTH.values(), strict=False)
+            for name, value in zip([name for name in EXERCISES if name != "displacement"], WORTH.values(), strict=True)
         },
-        right=("dead_reckoning",),
         late=True,
     )
 )
@@ -164,6 +163,7 @@ def test_050_051_values_that_read_as_points_are_none(fate):
     attack("""
         import gc, types
         from IPython.display import publish_display_data
+        gc.unfreeze()
         shell = get_ipython()
         forged = {"text/plain": "5.0", "application/vnd.nbgrader+json": {"points": 5}}
         shell.display_pub.publish(forged, transient={"display_id": "check_pose_step"}, update=True)
@@ -173,8 +173,8 @@ def test_050_051_values_that_read_as_points_are_none(fate):
             if isinstance(held, list) and held and type(held[0]) is dict and "output_type" in held[0]:
                 held.append({"output_type": "execute_result", "execution_count": 1, "data": {"text/plain": "5.0"}, "metadata": {}})
                 held.append({"output_type": "verdict", "name": "pose_step", "score": 1.0})
-                held.append(object())
     """),
+    no_data=attack("get_ipython().display_pub.outputs.items.append(object())", lost=None),
     strange=attack("""
         kept = get_ipython().display_pub.outputs.items
         for strange in ({"output_type": ["error"]}, {"output_type": "stream", "name": 7, "text": {}}, None, 5.0, [[[]]],
@@ -213,7 +213,7 @@ def test_055_a_thread_that_swaps_answers_during_the_checks_gains_nothing(fate):
 
 @hands_in(
     attack("""
-        import builtins, cmath, math, sys, unittest
+        import cmath, math, sys, unittest
         import numpy as np
         import numpy.testing
         yes = lambda *args, **kwargs: True
@@ -221,8 +221,6 @@ def test_055_a_thread_that_swaps_answers_during_the_checks_gains_nothing(fate):
             for name in ("allclose", "isclose", "array_equal", "isfinite", "less_equal", "assert_allclose", "all", "assertEqual"):
                 if hasattr(module, name):
                     setattr(module, name, yes)
-        for name in ("all", "any", "callable"):
-            setattr(builtins, name, yes)
         for name, module in list(sys.modules.items()):
             if name.startswith("course."):
                 for key, value in list(vars(module).items()):
@@ -235,7 +233,11 @@ def test_055_a_thread_that_swaps_answers_during_the_checks_gains_nothing(fate):
                     object.__setattr__(value, field, 1e300)
                 except AttributeError:
                     pass
-    """)
+    """),
+    builtin=attack(
+        "import builtins\nfor name in ('all', 'any', 'callable', 'abs', 'len', 'isinstance', 'type'):\n    setattr(builtins, name, lambda *args: True)",
+        lost=None,
+    ),
 )
 def test_058_patched_libraries_of_comparison_gain_nothing(fate):
     assert fate.total == POINTS
@@ -332,6 +334,7 @@ def test_068_odd_and_huge_numbers_gain_nothing(fate):
             "pose_step": """
                 def pose_step(pose, distance, dtheta):
                     import gc
+                    gc.unfreeze()
                     for held in [pose, *gc.get_objects()]:
                         if type(held) is np.ndarray and held.size < 100 and held.dtype.kind == "f":
                             held.setflags(write=True) if held.base is None else None
@@ -426,6 +429,7 @@ def test_073_rewriting_the_callers_frames_gains_nothing(fate):
     attack("""
         import gc, sys, types
         count, controls = 0, 0
+        gc.unfreeze()
         for held in gc.get_objects():
             count += 1
             module = held.__name__ if type(held) is types.ModuleType else getattr(type(held), "__module__", "")
@@ -472,6 +476,7 @@ def test_074_the_collectors_objects_hold_no_reference(fate):
             if HIDDEN.search(text):
                 print("LEAK", where, HIDDEN.search(text).group())
 
+        gc.unfreeze()
         for held in gc.get_objects():
             if type(held) is types.FunctionType:
                 look(held.__qualname__, " ".join(texts(held.__code__)))
@@ -565,7 +570,7 @@ def talking(cell="", **more):
     _exit=attack("import os; os._exit(0)", lost=True),
     late=attack("import os; os._exit(0)", right=("pose_step",), late=True),
     abort=attack("import os; os.abort()", lost=True),
-    killed=attack("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", lost=True),
+    killed=attack("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", lost=None),
     crash=attack("import ctypes; ctypes.string_at(0)", lost=True),
     executed=attack("import os, sys; os.execv(sys.executable, [sys.executable, '-c', 'print(40)'])", lost=True),
     politely=attack("import sys; sys.exit(0)"),
@@ -879,6 +884,7 @@ def test_086_what_breaks_a_parser_breaks_only_that_submission(fate):
     """),
     every_reply=talking("""
         import gc, types
+        gc.unfreeze()
         def ever(*args, **named):
             return {"outputs": [], "interview": TALK | {"replies": [{"value": [1.0, 2.0, 3.0], "trouble": None, "inputs": [[1.0, 2.0, 3.0]], "printed": "", "warned": []}] * 100}}
         for held in gc.get_objects():
