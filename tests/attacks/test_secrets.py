@@ -24,14 +24,14 @@ LIMITS = replace(CLASS_LIMITS, cell=20.0, notebook=60.0)
 #: patterns that do not match themselves: what the honest students hold, what only the reference holds, and what everyone may find
 _NEEDLES = r"""
 import ctypes, errno, gc, mmap, os, re, stat, sys
-HIDDEN = re.compile(rb"PLANTED[0-9a-f]{16}|half_dt_[a-z]{7}|hidden modul[e]:|judged_by_nam[e]")
+HIDDEN = re.compile(rb"PLANTED[0-9a-f]{16}|half_dt_[a-z]{7}|hidden modul[e]:|_wrong_quantitie[s]")
 KNOWN = re.compile(rb"replies_t[o]")
 libc = ctypes.CDLL(None, use_errno=True)
 gc.unfreeze()
 
 def look(where, data):
     found = HIDDEN.search(data)
-    if found and not (found.group() == b"judged_by_name" and "course" in where):
+    if found:
         print("LEAK", where, found.group())
     return bool(KNOWN.search(data))
 """
@@ -50,7 +50,7 @@ def looking(cell="", **more):
         found, places = 0, ["@ROOT@/gradebook.db", "@REPO@/gradebook.db", "gradebook.db", "../gradebook.db", "/gradebook.db"]
         for folder, folders, files in os.walk("/"):
             # nbgrader's own documentation has one
-            if "site-packages" not in folder:
+            if "site-packages" not in folder and not folder.startswith("/usr"):
                 places += [os.path.join(folder, name) for name in files if name.endswith((".db", ".sqlite", ".db-journal", ".db-wal"))]
             found += len(files)
         for place in places:
@@ -147,9 +147,8 @@ def test_090_no_file_of_the_grader_or_of_others_is_to_be_read(fate):
                 look(f"fd {fd}", os.pread(fd, 2**20, 0))
             if kind == "s":
                 link = socket.socket(fileno=os.dup(fd))
-                link.setblocking(False)
                 try:
-                    _, fds, _, _ = socket.recv_fds(link, 0, 16, socket.MSG_PEEK)
+                    _, fds, _, _ = socket.recv_fds(link, 1, 16, socket.MSG_PEEK | socket.MSG_DONTWAIT)
                     if fds:
                         print("LEAK descriptors", fds)
                 except OSError:
@@ -215,11 +214,10 @@ def test_091_092_096_what_a_notebook_gets_out_of_its_inputs_helps_nobody_else(fa
     own = ast.literal_eval(fate.line("inputs"))
     assert len(own) > 5
     twins = [type(fate)(cohort, student) for student in cohort.submissions if "091" in student]
-    first, second = (
-        ({row[3] for row in ast.literal_eval(twin.line("inputs"))} for twin in twins) if len(twins) == 2 else ({1.0}, {2.0})
-    )
-    # rest and standing still are cases for everybody
-    assert first & second <= {0.0, 1.0, -1.0}
+    drawn = [{tuple(row) for row in ast.literal_eval(twin.line("inputs")) if row[3] % 1} for twin in twins]
+    assert len(drawn) == 2
+    assert all(drawn)
+    assert not drawn[0] & drawn[1]
 
 
 @hands_in(
@@ -249,15 +247,17 @@ def test_091_092_096_what_a_notebook_gets_out_of_its_inputs_helps_nobody_else(fa
                 print("LEAK", socket.getaddrinfo(host, 443))
             except OSError:
                 tried += 1
-        for link in socket.if_nameindex():
-            if link[1] != "lo":
-                print("LEAK interface", link)
+        try:
+            for link in socket.if_nameindex():
+                if link[1] != "lo":
+                    print("LEAK interface", link)
+        except OSError:
+            tried += 1
         try:
             import urllib.request
             print("LEAK", urllib.request.urlopen("http://example.com", timeout=0.5).read(10))
         except OSError:
             tried += 1
-        %pip download six
         print("tried:", tried)
     """)
 )
@@ -608,7 +608,8 @@ def test_no_other_process_gives_up_its_memory_or_its_files(fate):
                      "/root", "/home", "/run/secrets", "/var/lib", "/etc/hostname", "/boot"):
             try:
                 what = os.listdir(path) if os.path.isdir(path) else open(path, "rb").read(50)
-                if what:
+                # Python itself may live there
+                if what and not (len(what) == 1 and sys.base_prefix.startswith(f"{path}/{what[0]}")):
                     print("LEAK", path, what)
             except OSError:
                 found.append(path)
@@ -625,13 +626,13 @@ def test_the_machine_tells_nothing_of_itself(fate):
     looking("""
         # what the memory allocators hand out unwashed
         dirty = 0
-        for size in (64, 512, 4096, 2**16, 2**20, 2**24):
-            held = [np.empty(size, dtype=np.uint8) for _ in range(50)]
+        for size in (64, 512, 4096, 2**16, 2**20):
+            held = [np.empty(size, dtype=np.uint8) for _ in range(20)]
             for array in held:
                 dirty += bool(array.any())
                 look(f"np.empty({size})", array.tobytes())
             libc.malloc.restype = ctypes.c_void_p
-            for _ in range(50):
+            for _ in range(20):
                 look(f"malloc({size})", ctypes.string_at(libc.malloc(size), size))
             del held
         print("dirty:", dirty)
@@ -658,7 +659,9 @@ def test_the_search_would_find_what_is_hidden():
     """The patterns match what stands in the files that must not be seen, or a search that finds nothing says nothing."""
     pattern = re.search(r'HIDDEN = re.compile\(rb"(.*)"\)', _NEEDLES).group(1)
     hidden = Path(ROOT / "autograder/reference/pose_update/displacement.py").read_text(encoding="utf-8")
-    assert {*re.findall(pattern, hidden)} == {"half_dt_squared"}
+    assert "half_dt_squared" in re.findall(pattern, hidden)
+    assert re.search(pattern, Path(ROOT / "autograder/judging.py").read_text(encoding="utf-8"))
+    assert not [path for path in Path(ROOT / "course").glob("*.py") if re.search(pattern, path.read_text(encoding="utf-8"))]
     assert re.search(pattern, Path(ROOT / "autograder/reference/__init__.py").read_text(encoding="utf-8"))
     assert not re.search(pattern, _NEEDLES)
     assert re.search("replies_t[o]", Path(ROOT / "course/answers.py").read_text(encoding="utf-8"))
