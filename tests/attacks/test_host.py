@@ -11,7 +11,7 @@ from tests.attacks.cohort import EXERCISES, MARK, POINTS, attack, hands_in, left
 from tests.classroom import LIMITS as CLASS_LIMITS
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("attacks-host")]
-LIMITS = replace(CLASS_LIMITS, cell=1.5, check=1.5, notebook=8.0, grace=0.4, memory_mb=1536)
+LIMITS = replace(CLASS_LIMITS, cell=1.5, check=1.5, notebook=15.0, grace=0.5, memory_mb=768)
 #: set in every process that an attack starts, forks included, so that one that is left is recognised from outside
 _NAMED = """
 import ctypes, os, signal, socket, sys, time
@@ -96,19 +96,23 @@ _DEAF = "for number in range(1, 64):\n    try: signal.signal(number, signal.SIG_
     reads=starting("input()"),
     reads_stdin=starting("sys.stdin.read(); os.read(0, 1)"),
     answer=answering("while True: pass", lost=False),
-    every_answer=attack(
-        answers={name: f"def {name}(*args):\n    import time; time.sleep(1e6)" for name in EXERCISES if name != "displacement"},
+    everywhere=attack(
+        answers={
+            name: f"def {name}(*args):\n    import time; time.sleep(1e6)\nimport time; time.sleep(1e6)"
+            for name in EXERCISES
+            if name != "displacement"
+        },
         lost=None,
     ),
-    every_cell=attack(answers={name: "import time; time.sleep(1e6)" for name in EXERCISES if name != "displacement"}, lost=None),
     swallows=starting("while True:\n    try:\n        while True: time.sleep(0.01)\n    except BaseException: pass", lost=True),
     swallowed=answering("while True:\n    try:\n        while True: pass\n    except BaseException: pass", lost=None),
 )
 def test_104_what_never_ends_is_ended(fate):
     if fate.stopped:
         assert "time" in fate.messages
-    others = [result.score for name, result in fate.results.items() if name != "displacement"]
-    assert sum(others) == 0
+    if "everywhere" in fate.student:
+        assert "dead_reckoning" in fate.stopped
+    assert sum(result.score for name, result in fate.results.items() if name != "displacement") == 0
 
 
 @hands_in(
@@ -185,15 +189,16 @@ def test_106_a_daemon_ends_with_its_notebook(fate):
 @hands_in(
     forks=starting("""
         count = 0
-        for _ in range(500):
-            try:
+        try:
+            while count < 500:
                 if os.fork() == 0:
                     time.sleep(1e6)
                     os._exit(0)
                 count += 1
-            except OSError as error:
-                break
-        print("started:", count)
+        except OSError:
+            pass
+        finally:
+            print("started:", count)
     """, lost=None),
     bomb=starting("""
         while True:
@@ -205,13 +210,14 @@ def test_106_a_daemon_ends_with_its_notebook(fate):
     threads=starting("""
         import threading
         count = 0
-        for _ in range(500):
-            try:
+        try:
+            while count < 500:
                 threading.Thread(target=time.sleep, args=(1e6,), daemon=True).start()
                 count += 1
-            except RuntimeError:
-                break
-        print("started:", count)
+        except RuntimeError:
+            pass
+        finally:
+            print("started:", count)
     """, lost=None),
     shell=starting("import subprocess\nsubprocess.run(['bash', '-c', ':(){ :|:& };:; sleep 100'], stderr=subprocess.DEVNULL)", lost=None),
     vfork=answering("import subprocess\nwhile True: subprocess.Popen(['sleep', '1000'])"),
@@ -226,18 +232,9 @@ def test_107_a_fork_bomb_is_held_back(fate):
 
 # memory
 
-_MIB = 2**20
-_TOGETHER = """
-import multiprocessing.shared_memory, mmap
-held = mmap.mmap(-1, 4096)
-def say(megabytes):
-    # no lock is needed: each child has its own place
-    print("held:", megabytes, flush=True)
-"""
-
 
 @hands_in(
-    one=starting("kept = []\nwhile True: kept.append(np.ones(2**23))"),
+    one=starting("kept = []\nwhile True: kept.append(np.ones(2**23))", lost=None),
     at_once=starting("np.ones(10**12)"),
     text=starting("kept = 'x' * 10**11"),
     answer=answering("kept = [1]\nwhile True: kept += kept", lost=False),
@@ -247,33 +244,48 @@ def test_108_a_memory_bomb_is_an_error_of_its_cell(fate):
     assert re.search("MemoryError|ended|time|memory", fate.printed + fate.messages)
 
 
+_SPREAD = """
+    import io, mmap
+    share, step, children = mmap.mmap(-1, 4096), 32, 8
+
+    def held():
+        return sum(int.from_bytes(share[4 * child : 4 * child + 4], "little") for child in range(children))
+
+    for child in range(children):
+        if os.fork() == 0:
+            kept = []
+            for _ in range(128 // step):
+                kept.append(np.ones(step * 2**17))
+                share[4 * child : 4 * child + 4] = (len(kept) * step).to_bytes(4, "little")
+            time.sleep(1e6)
+            os._exit(0)
+"""
+_DRIPS = """
+    # a byte now and then: whoever looks after the memory only while nothing comes never looks
+    import autograder.sandbox.runner as runner
+    sent = runner.send
+
+    def slowly(stream, message):
+        made = io.BytesIO()
+        sent(made, message)
+        for index in range(12):
+            stream.write(made.getvalue()[index : index + 1])
+            stream.flush()
+            time.sleep(0.1)
+        stream.write(made.getvalue()[12:])
+        stream.flush()
+
+    runner.send = slowly
+"""
+_HELD = {"dead_reckoning": "print('held:', held())"}
+
+
 @hands_in(
-    starting(
-        """
-        import mmap
-        share = mmap.mmap(-1, 4096)
-        step, children = 64, 8
-        for child in range(children):
-            try:
-                if os.fork() == 0:
-                    kept = []
-                    for _ in range(512 // step):
-                        kept.append(np.ones(step * 2**17))
-                        share[4 * child : 4 * child + 4] = (len(kept) * step).to_bytes(4, "little")
-                    time.sleep(1e6)
-            except OSError:
-                break
-        held, end = 0, time.monotonic() + 1.5
-        while time.monotonic() < end:
-            held = max(held, sum(int.from_bytes(share[4 * child : 4 * child + 4], "little") for child in range(children)))
-            time.sleep(0.02)
-        print("held:", held)
-        """,
-        lost=None,
-    )
+    waiting=starting(_SPREAD + "    time.sleep(1.3)\n", answers=_HELD, lost=None),
+    dripping=starting(_SPREAD + _DRIPS, answers=_HELD, lost=None),
 )
 def test_108_memory_spread_over_processes_is_limited_together(fate):
-    """Eight processes that are within the limit one by one, and hold four times... of it together."""
+    """Eight processes, each far within the limit, hold more than it together."""
     if not fate.stopped:
         assert int(fate.line("held")) <= LIMITS.memory_mb
     assert left_behind() == []
@@ -281,51 +293,52 @@ def test_108_memory_spread_over_processes_is_limited_together(fate):
 
 @hands_in(
     files=starting("""
-        import tempfile
         held = 0
-        for place in (os.getcwd(), "/tmp", "/dev/shm", "/var/tmp", "/run", "/"):
-            for number in range(60):
-                try:
-                    with open(os.path.join(place, f"bomb{number}"), "wb", buffering=0) as file:
-                        for _ in range(32):
-                            held += file.write(bytes(2**20)) // 2**20
-                except OSError:
-                    break
-            if held > 1500:
-                break
-        print("held:", held)
+        try:
+            for place in (os.getcwd(), "/tmp", "/dev/shm", "/var/tmp", "/run", "/"):
+                for number in range(60):
+                    try:
+                        with open(os.path.join(place, f"bomb{number}"), "wb", buffering=0) as file:
+                            for _ in range(32):
+                                held += file.write(bytes(2**20)) // 2**20
+                    except OSError:
+                        break
+        finally:
+            print("held:", held)
     """, lost=None),
     anonymous=starting("""
         held, kept = 0, []
         try:
-            while held < 1600:
+            while held < 1000:
                 kept.append(os.memfd_create("bomb"))
                 for _ in range(32):
                     held += os.write(kept[-1], bytes(2**20)) // 2**20
         except OSError:
             pass
-        print("held:", held)
+        finally:
+            print("held:", held)
     """, lost=None),
     segments=starting("""
         held = 0
         libc.shmat.restype = ctypes.c_void_p
         libc.shmdt.argtypes = [ctypes.c_void_p]
-        while held < 1600:
-            number = libc.shmget(0, 64 * 2**20, 0o1600)
-            address = libc.shmat(number, None, 0) if number >= 0 else None
-            if address is None or address == 2**64 - 1:
-                break
-            ctypes.memset(address, 1, 64 * 2**20)
-            libc.shmdt(address)  # gone from the address space, not from memory
-            held += 64
-        print("held:", held)
-    """, lost=None),
-    shared=starting("""
-        import mmap
-        held, ends = 0, []
-        # memory that nobody has mapped: kept alive by a descriptor in flight between two sockets
         try:
-            while held < 1600:
+            while held < 1000:
+                number = libc.shmget(0, 64 * 2**20, 0o1600)
+                address = libc.shmat(number, None, 0) if number >= 0 else None
+                if address is None or address == 2**64 - 1:
+                    break
+                ctypes.memset(address, 1, 64 * 2**20)
+                libc.shmdt(address)  # gone from the address space, not from memory
+                held += 64
+        finally:
+            print("held:", held)
+    """, lost=None),
+    in_flight=starting("""
+        held, ends = 0, []
+        # memory that nobody has mapped, kept alive by a descriptor on its way between two sockets
+        try:
+            while held < 1000:
                 fd = os.memfd_create("flight")
                 for _ in range(32):
                     os.write(fd, bytes(2**20))
@@ -336,13 +349,14 @@ def test_108_memory_spread_over_processes_is_limited_together(fate):
                 held += 32
         except OSError:
             pass
-        print("held:", held)
+        finally:
+            print("held:", held)
     """, lost=None),
 )  # fmt: skip
 def test_108_memory_outside_of_any_process_is_limited_too(fate):
     """Files in memory, shared segments and descriptors count, whatever they hang on."""
     if not fate.stopped:
-        assert int(fate.line("held")) <= 512
+        assert int(fate.line("held")) <= LIMITS.memory_mb
 
 
 @hands_in(
@@ -407,7 +421,7 @@ _FLOOD = 3_000_000
             except ValueError as raised:
                 error = raised
         raise error
-    """),
+    """, lost=None),
     raw=starting("""
         for fd in (1, 2):
             try:
