@@ -11,7 +11,7 @@ from tests.attacks.cohort import EXERCISES, MARK, POINTS, attack, hands_in, left
 from tests.classroom import LIMITS as CLASS_LIMITS
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("attacks-host")]
-LIMITS = replace(CLASS_LIMITS, cell=1.5, check=1.5, notebook=15.0, grace=0.5, memory_mb=768)
+LIMITS = replace(CLASS_LIMITS, cell=1.5, check=1.5, notebook=15.0, grace=0.5, memory_mb=768, processes=24)
 #: set in every process that an attack starts, forks included, so that one that is left is recognised from outside
 _NAMED = """
 import ctypes, os, signal, socket, sys, time
@@ -21,15 +21,15 @@ libc.prctl(15, b"@MARK@", 0, 0, 0)
 
 
 def starting(cell="", **more):
-    """A notebook whose processes carry the mark."""
-    return attack(_NAMED + dedent(cell), **more)
+    """A notebook whose processes carry the mark; whether its own right answer comes through is not for these tests to say."""
+    return attack(_NAMED + dedent(cell), **{"lost": None, **more})
 
 
-def answering(body, name="pose_step", cell="", lost=None):
+def answering(body, name="pose_step", cell=""):
     """A notebook in which one answer does this when it is called."""
     parameters = {"dead_reckoning": "velocity, yaw_rate, dt, pose0"}.get(name, "*args")
     source = f"def {name}({parameters}):\n" + "\n".join(f"    {line}" for line in dedent(body).strip().splitlines())
-    return starting(cell, answers={name: source}, lost=lost)
+    return starting(cell, answers={name: source})
 
 
 # writing where the next command would read
@@ -95,7 +95,7 @@ _DEAF = "for number in range(1, 64):\n    try: signal.signal(number, signal.SIG_
     waits=starting("import threading; threading.Lock().acquire() and threading.Event().wait()"),
     reads=starting("input()"),
     reads_stdin=starting("sys.stdin.read(); os.read(0, 1)"),
-    answer=answering("while True: pass", lost=False),
+    answer=answering("while True: pass"),
     everywhere=attack(
         answers={
             name: f"def {name}(*args):\n    import time; time.sleep(1e6)\nimport time; time.sleep(1e6)"
@@ -105,7 +105,7 @@ _DEAF = "for number in range(1, 64):\n    try: signal.signal(number, signal.SIG_
         lost=None,
     ),
     swallows=starting("while True:\n    try:\n        while True: time.sleep(0.01)\n    except BaseException: pass", lost=True),
-    swallowed=answering("while True:\n    try:\n        while True: pass\n    except BaseException: pass", lost=None),
+    swallowed=answering("while True:\n    try:\n        while True: pass\n    except BaseException: pass"),
 )
 def test_104_what_never_ends_is_ended(fate):
     if fate.stopped:
@@ -118,16 +118,16 @@ def test_104_what_never_ends_is_ended(fate):
 @hands_in(
     deaf=starting(_DEAF + "while True: pass", lost=True),
     blocked=starting("signal.pthread_sigmask(signal.SIG_BLOCK, range(1, 64)); time.sleep(1e6)", lost=True),
-    stopped=starting("os.kill(os.getpid(), signal.SIGSTOP)", lost=None),
-    stopped_group=starting("os.killpg(0, signal.SIGSTOP)", lost=None),
+    stopped=starting("os.kill(os.getpid(), signal.SIGSTOP)"),
+    stopped_group=starting("os.killpg(0, signal.SIGSTOP)"),
     in_c=starting("sum(range(10**12))", lost=True),
-    power=starting("len(str(7 ** (7 ** 10)))", lost=True),
-    pattern=starting("import re; re.match('(a*)*b', 'a' * 60)", lost=None),
+    power=starting("7 ** (7 ** 10)"),
+    pattern=starting("import re; re.match('(a*)*b', 'a' * 60)"),
     in_c_answer=answering("return sum(range(10**12))"),
     deaf_answer=answering(_DEAF + "while True: pass"),
-    sleeps_in_c=starting("ctypes.CDLL(None).sleep(10**6); ctypes.CDLL(None).pause(); ctypes.CDLL(None).sleep(10**6)", lost=None),
-    keeps_the_lock=starting("ctypes.PyDLL(None).sleep(10**6)\nctypes.PyDLL(None).sleep(10**6)", lost=None),
-    traced=starting("libc.ptrace(0, 0, 0, 0); os.kill(os.getpid(), signal.SIGSTOP)", lost=None),
+    sleeps_in_c=starting("ctypes.CDLL(None).sleep(10**6); ctypes.CDLL(None).pause(); ctypes.CDLL(None).sleep(10**6)"),
+    keeps_the_lock=starting("ctypes.PyDLL(None).sleep(10**6)\nctypes.PyDLL(None).sleep(10**6)"),
+    traced=starting("libc.ptrace(0, 0, 0, 0); os.kill(os.getpid(), signal.SIGSTOP)"),
     no_alarm=starting(
         "signal.setitimer(signal.ITIMER_REAL, 0)\nsignal.signal(signal.SIGALRM, signal.SIG_DFL)\nwhile True: pass", lost=True
     ),
@@ -154,7 +154,7 @@ def test_105_what_does_not_let_itself_be_interrupted_is_killed(fate):
                 os.closerange(0, 1024)
                 while True:
                     time.sleep(1)
-    """, lost=None),
+    """),
     executed=starting("""
         import subprocess
         for _ in range(3):
@@ -166,7 +166,7 @@ def test_105_what_does_not_let_itself_be_interrupted_is_killed(fate):
             subprocess.Popen(["unshare", *flags, sys.executable, "-c", "import time; time.sleep(1e6)", "@MARK@"], start_new_session=True,
                              stderr=subprocess.DEVNULL)
         time.sleep(0.5)
-    """, lost=None),
+    """),
     survivor=starting("""
         def serve():
             while True:
@@ -179,7 +179,7 @@ def test_105_what_does_not_let_itself_be_interrupted_is_killed(fate):
                 if os.fork():
                     os._exit(0)
                 time.sleep(0.01)
-    """, lost=None),
+    """),
 )  # fmt: skip
 def test_106_a_daemon_ends_with_its_notebook(fate):
     assert fate.total <= POINTS
@@ -199,14 +199,14 @@ def test_106_a_daemon_ends_with_its_notebook(fate):
             pass
         finally:
             print("started:", count)
-    """, lost=None),
+    """),
     bomb=starting("""
         while True:
             try:
                 os.fork()
             except OSError:
                 time.sleep(0.01)
-    """, lost=None),
+    """),
     threads=starting("""
         import threading
         count = 0
@@ -218,8 +218,8 @@ def test_106_a_daemon_ends_with_its_notebook(fate):
             pass
         finally:
             print("started:", count)
-    """, lost=None),
-    shell=starting("import subprocess\nsubprocess.run(['bash', '-c', ':(){ :|:& };:; sleep 100'], stderr=subprocess.DEVNULL)", lost=None),
+    """),
+    shell=starting("import subprocess\nsubprocess.run(['bash', '-c', ':(){ :|:& };:; sleep 100'], stderr=subprocess.DEVNULL)"),
     vfork=answering("import subprocess\nwhile True: subprocess.Popen(['sleep', '1000'])"),
 )  # fmt: skip
 def test_107_a_fork_bomb_is_held_back(fate):
@@ -234,11 +234,11 @@ def test_107_a_fork_bomb_is_held_back(fate):
 
 
 @hands_in(
-    one=starting("kept = []\nwhile True: kept.append(np.ones(2**23))", lost=None),
+    one=starting("kept = []\nwhile True: kept.append(np.ones(2**23))"),
     at_once=starting("np.ones(10**12)"),
     text=starting("kept = 'x' * 10**11"),
-    answer=answering("kept = [1]\nwhile True: kept += kept", lost=False),
-    recursion=answering("kept = []\nfor _ in range(10**9): kept = [kept, kept * 2]\nreturn kept", lost=None),
+    answer=answering("kept = [1]\nwhile True: kept += kept"),
+    recursion=answering("kept = []\nfor _ in range(10**9): kept = [kept, kept * 2]\nreturn kept"),
 )
 def test_108_a_memory_bomb_is_an_error_of_its_cell(fate):
     assert re.search("MemoryError|ended|time|memory", fate.printed + fate.messages)
@@ -281,8 +281,8 @@ _HELD = {"dead_reckoning": "print('held:', held())"}
 
 
 @hands_in(
-    waiting=starting(_SPREAD + "    time.sleep(1.3)\n", answers=_HELD, lost=None),
-    dripping=starting(_SPREAD + _DRIPS, answers=_HELD, lost=None),
+    waiting=starting(_SPREAD + "    time.sleep(1.3)\n", answers=_HELD),
+    dripping=starting(_SPREAD + _DRIPS, answers=_HELD),
 )
 def test_108_memory_spread_over_processes_is_limited_together(fate):
     """Eight processes, each far within the limit, hold more than it together."""
@@ -305,7 +305,7 @@ def test_108_memory_spread_over_processes_is_limited_together(fate):
                         break
         finally:
             print("held:", held)
-    """, lost=None),
+    """),
     anonymous=starting("""
         held, kept = 0, []
         try:
@@ -317,7 +317,7 @@ def test_108_memory_spread_over_processes_is_limited_together(fate):
             pass
         finally:
             print("held:", held)
-    """, lost=None),
+    """),
     segments=starting("""
         held = 0
         libc.shmat.restype = ctypes.c_void_p
@@ -333,7 +333,7 @@ def test_108_memory_spread_over_processes_is_limited_together(fate):
                 held += 64
         finally:
             print("held:", held)
-    """, lost=None),
+    """),
     in_flight=starting("""
         held, ends = 0, []
         # memory that nobody has mapped, kept alive by a descriptor on its way between two sockets
@@ -351,7 +351,7 @@ def test_108_memory_spread_over_processes_is_limited_together(fate):
             pass
         finally:
             print("held:", held)
-    """, lost=None),
+    """),
 )  # fmt: skip
 def test_108_memory_outside_of_any_process_is_limited_too(fate):
     """Files in memory, shared segments and descriptors count, whatever they hang on."""
@@ -370,7 +370,7 @@ def test_108_memory_outside_of_any_process_is_limited_too(fate):
             except OSError:
                 pass
         print("files:", count)
-    """, lost=None),
+    """),
     folders=starting("""
         count = 0
         try:
@@ -381,7 +381,7 @@ def test_108_memory_outside_of_any_process_is_limited_too(fate):
         except OSError:
             pass
         print("files:", count)
-    """, lost=None),
+    """),
     descriptors=starting("""
         kept, count = [], 0
         try:
@@ -391,7 +391,7 @@ def test_108_memory_outside_of_any_process_is_limited_too(fate):
         except OSError:
             pass
         print("files:", count)
-    """, lost=None),
+    """),
 )  # fmt: skip
 def test_108_many_small_files_trouble_nobody(fate):
     assert fate.total <= POINTS
@@ -421,19 +421,19 @@ _FLOOD = 3_000_000
             except ValueError as raised:
                 error = raised
         raise error
-    """, lost=None),
+    """),
     raw=starting("""
         for fd in (1, 2):
             try:
                 for _ in range(200): os.write(fd, b"x" * 2**20)
             except OSError:
                 pass
-    """, lost=None),
-    figures=starting("import matplotlib.pyplot as plt\nfor _ in range(300): plt.figure(figsize=(1, 1), dpi=20)", lost=None),
-    huge_figure=starting("import matplotlib.pyplot as plt\nplt.figure(figsize=(2000, 2000), dpi=100)\nplt.plot([0, 1]);", lost=None),
-    answer=answering("print('x' * 10**8)\nsys.stderr.write('y' * 10**8)\nraise ValueError('z' * 10**8)", lost=False),
-    warnings=answering("import warnings\nfor number in range(10**5): warnings.warn('w' * 10**4 + str(number))\nreturn 1", lost=None),
-    names=answering("raise type('N' * 10**7, (ValueError,), {})('x')", lost=False),
+    """),
+    figures=starting("import matplotlib.pyplot as plt\nfor _ in range(300): plt.figure(figsize=(1, 1), dpi=20)"),
+    huge_figure=starting("import matplotlib.pyplot as plt\nplt.figure(figsize=(2000, 2000), dpi=100)\nplt.plot([0, 1]);"),
+    answer=answering("print('x' * 10**8)\nsys.stderr.write('y' * 10**8)\nraise ValueError('z' * 10**8)"),
+    warnings=answering("import warnings\nfor number in range(10**5): warnings.warn('w' * 10**4 + str(number))\nreturn 1"),
+    names=answering("raise type('N' * 10**7, (ValueError,), {})('x')"),
 )  # fmt: skip
 def test_110_a_flood_of_output_is_cut_off(fate):
     executed = fate.cohort.room.root / f"autograded/{fate.student}/odometry/pose_update.ipynb"
@@ -459,42 +459,39 @@ def test_111_linear_algebra_has_one_thread(fate):
 
 
 @hands_in(
-    array=answering("return np.zeros(10**8)", lost=None),
-    broadcast=answering("return np.broadcast_to(1.0, (10**9,))", lost=False),
-    many=answering("return [np.zeros(10**5)] * 10**5", lost=None),
-    nested=answering("kept = []\nfor _ in range(10**6): kept = [kept]\nreturn kept", lost=None),
-    itself=answering("kept = []\nkept.extend([kept] * 1000)\nreturn kept", lost=False),
-    text=answering("return 'x' * 10**8", lost=False),
-    digits=answering("return 1 << 4_000_000", lost=False),
-    digits_in_list=answering("return [1 << 4_000_000] * 3", lost=False),
-    negative=answering("return -(1 << 4_000_000)", lost=False),
-    keys=answering("return {'k' * 1000 + str(number): number for number in range(20_000)}", lost=None),
-    symbols=answering("x = sp.Symbol('x')\nfor _ in range(40): x = x * x + x\nreturn [x, x, x]", "q1_symbolic", lost=None),
+    array=answering("return np.zeros(10**8)"),
+    broadcast=answering("return np.broadcast_to(1.0, (10**9,))"),
+    many=answering("return [np.zeros(10**5)] * 10**5"),
+    nested=answering("kept = []\nfor _ in range(10**6): kept = [kept]\nreturn kept"),
+    itself=answering("kept = []\nkept.extend([kept] * 1000)\nreturn kept"),
+    text=answering("return 'x' * 10**8"),
+    digits=answering("return 1 << 4_000_000"),
+    digits_in_list=answering("return [1 << 4_000_000] * 3"),
+    negative=answering("return -(1 << 4_000_000)"),
+    keys=answering("return {'k' * 1000 + str(number): number for number in range(20_000)}"),
+    symbols=answering("x = sp.Symbol('x')\nfor _ in range(40): x = x * x + x\nreturn [x, x, x]", "q1_symbolic"),
     symbols_never_end=answering(
         "class Slow(sp.Symbol):\n    def evalf(self, *more, **named):\n        while True: pass\n    __float__ = evalf\nreturn [Slow('s')] * 3",
         "q1_symbolic",
-        lost=None,
     ),
-    slow_text=answering("class Slow(ValueError):\n    def __str__(self):\n        while True: pass\nraise Slow", lost=None),
+    slow_text=answering("class Slow(ValueError):\n    def __str__(self):\n        while True: pass\nraise Slow"),
     slow_text_in_cell=starting(
-        "class Slow(ValueError):\n    def __str__(self):\n        while True: pass\nraise Slow", lost=None
+        "class Slow(ValueError):\n    def __str__(self):\n        while True: pass\nraise Slow",
     ),
     slow_name=answering(
         "class Meta(type):\n    __name__ = property(lambda self: [0 for _ in iter(int, 1)])\nraise Meta('M', (ValueError,), {})"
     ),
     slow_conversion=answering(
-        "class Slow:\n    def __array__(self, *more, **named):\n        while True: pass\nreturn Slow()", lost=None
+        "class Slow:\n    def __array__(self, *more, **named):\n        while True: pass\nreturn Slow()",
     ),
-    path=answering("return np.zeros((10**6, 3))", "dead_reckoning", lost=None),
+    path=answering("return np.zeros((10**6, 3))", "dead_reckoning"),
     signature=starting(
         "class Odd:\n    @property\n    def __signature__(self):\n        while True: pass\n    def __call__(self, *args): pass",
         answers={"pose_step": "pose_step = Odd()"},
-        lost=None,
     ),
     figure=starting(
         "import matplotlib.pyplot as plt\naxes = plt.figure().gca()\nfor _ in range(3000): axes.plot(range(1000))\nplt.close('all')",
         answers={"pose_step": "pose_step = axes"},
-        lost=None,
     ),
 )
 def test_112_answers_that_are_hard_to_look_at_are_worth_nothing(fate):
@@ -505,7 +502,7 @@ def test_112_answers_that_are_hard_to_look_at_are_worth_nothing(fate):
 
 
 @hands_in(
-    all_=starting("os.kill(-1, signal.SIGKILL)", lost=None),
+    all_=starting("os.kill(-1, signal.SIGKILL)"),
     each=starting("""
         for number in range(1, 5000):
             if number != os.getpid():
@@ -514,7 +511,7 @@ def test_112_answers_that_are_hard_to_look_at_are_worth_nothing(fate):
                         way(number, signal.SIGKILL)
                     except OSError:
                         pass
-    """, lost=None),
+    """),
     parent=starting("""
         for _ in range(5):
             try:
@@ -522,14 +519,14 @@ def test_112_answers_that_are_hard_to_look_at_are_worth_nothing(fate):
                 os.kill(os.getppid(), signal.SIGKILL)
             except OSError:
                 pass
-    """, lost=None),
+    """),
     traced=starting("""
         for number in range(1, 2000):
             if number != os.getpid():
                 for request in (16, 0x4206):
                     if libc.ptrace(request, number, 0, 0) == 0:
                         print("LEAK traced", number)
-    """, lost=None),
+    """),
     limits=starting("""
         import resource
         for number in {os.getppid(), *range(0, 2000)}:
@@ -540,7 +537,7 @@ def test_112_answers_that_are_hard_to_look_at_are_worth_nothing(fate):
                         print("LEAK limited", number)
                 except (OSError, ValueError):
                     pass
-    """, lost=None),
+    """),
     priority=starting("""
         for number in range(1, 2000):
             for change in (lambda: os.setpriority(os.PRIO_PROCESS, number, 19), lambda: os.sched_setscheduler(number, os.SCHED_IDLE, os.sched_param(0)),
@@ -625,18 +622,29 @@ _FORBIDDEN = {
 _FILTERED = {"io_uring_setup", "userfaultfd", "keyctl_new_session", "add_key", "bpf", "perf_event_open", "vsock", "alg", "packet"}
 _TRIES = f"""
 CALLS = {_CALLS!r}
-# each in a child: a filter may kill whoever calls
-for name, (number, *arguments) in CALLS.items():
-    child = os.fork()
-    if child == 0:
-        arguments = [ctypes.create_string_buffer(value, max(len(value), 256)) if isinstance(value, bytes) else value for value in arguments]
-        os._exit(0 if libc.syscall(number, *arguments) >= 0 else 1)
-    _, state = os.waitpid(child, 0)
-    print(f"{{name}}:", "done" if state == 0 else "refused")
+rest = dict(CALLS)
+while rest:
+    reader, writer = os.pipe()
+    # in a child: a filter may kill whoever calls
+    if os.fork() == 0:
+        for name, (number, *arguments) in rest.items():
+            arguments = [ctypes.create_string_buffer(value, max(len(value), 256)) if isinstance(value, bytes) else value for value in arguments]
+            done = libc.syscall(number, *arguments) >= 0
+            os.write(writer, f"{{name}}: {{'done' if done else 'refused'}}\\n".encode())
+        os._exit(0)
+    os.close(writer)
+    os.wait()
+    told = os.read(reader, 65536).decode()
+    print(told, end="")
+    for line in told.splitlines():
+        del rest[line.partition(":")[0]]
+    if rest:
+        print(f"{{next(iter(rest))}}: refused")
+        del rest[next(iter(rest))]
 """
 
 
-@hands_in(starting(_TRIES, lost=None))
+@hands_in(starting(_TRIES))
 def test_115_the_kernels_dangerous_calls_are_refused(fate):
     done = {name for name in _CALLS if fate.line(name) == "done"}
     assert not done & _FORBIDDEN
@@ -774,18 +782,18 @@ def test_119_what_is_hard_to_parse_is_not_parsed_by_the_grader(fate):
                     pass
         kept = Sticky()
         del kept
-    """, lost=None),
+    """),
     at_exit=starting("import atexit\natexit.register(time.sleep, 1e6)\nimport threading\nthreading._register_atexit(time.sleep, 1e6)"),
     thread=starting("import threading\nthreading.Thread(target=time.sleep, args=(1e6,)).start()"),
     collector=starting("""
         import gc
         gc.callbacks.append(lambda *args: time.sleep(1e6))
         kept = [[number] for number in range(10**5)]
-    """, lost=None),
+    """),
     import_lock=starting("""
         import _imp, threading
         threading.Thread(target=lambda: (_imp.acquire_lock(), time.sleep(1e6)), daemon=True).start()
-    """, lost=None),
+    """),
     switches=starting("""
         import threading
         sys.setswitchinterval(1e6)
@@ -795,19 +803,19 @@ def test_119_what_is_hard_to_parse_is_not_parsed_by_the_grader(fate):
         for _ in range(4):
             threading.Thread(target=spin, daemon=True).start()
         time.sleep(0.01)
-    """, lost=None),
-    hook=starting("get_ipython().events.register('post_run_cell', lambda *args: time.sleep(1e6))", lost=None),
-    transformer=starting("get_ipython().input_transformers_cleanup.append(lambda lines: time.sleep(1e6))", lost=None),
+    """),
+    hook=starting("get_ipython().events.register('post_run_cell', lambda *args: time.sleep(1e6))"),
+    transformer=starting("get_ipython().input_transformers_cleanup.append(lambda lines: time.sleep(1e6))"),
     async_=starting("import asyncio\nawait asyncio.sleep(1e6)"),
     loop_forever=starting("import asyncio\nasync def forever():\n    while True:\n        await asyncio.sleep(0)\nasyncio.create_task(forever())\nawait forever()"),
-    formatter=starting("class Slow:\n    def __repr__(self):\n        while True: pass\nSlow()", lost=None),
+    formatter=starting("class Slow:\n    def __repr__(self):\n        while True: pass\nSlow()"),
     figure=starting("""
         import matplotlib.pyplot as plt
         figure = plt.figure()
         figure.draw = lambda renderer: time.sleep(1e6)
         figure
-    """, lost=None),
-    lists=starting("In = Out = get_ipython = display = print = len = type = isinstance = open = None", lost=None),
+    """),
+    lists=starting("In = Out = get_ipython = display = print = len = type = isinstance = open = None"),
     streams=starting("""
         class Endless:
             encoding = "utf-8"
@@ -816,13 +824,13 @@ def test_119_what_is_hard_to_parse_is_not_parsed_by_the_grader(fate):
             flush = write
         sys.stdout = sys.stderr = sys.__stdout__ = sys.__stderr__ = Endless()
         print("x")
-    """, lost=None),
+    """),
     slow_reader=starting("""
         # it takes no byte of what the judge sends from now on
         import threading
         signal.pthread_sigmask(signal.SIG_BLOCK, range(1, 64))
         threading.Event().wait()
-    """, lost=None),
+    """),
 )  # fmt: skip
 def test_what_waits_where_nobody_looks_is_ended_too(fate):
     assert sum(result.score for name, result in fate.results.items() if name != "displacement") == 0
@@ -831,10 +839,10 @@ def test_what_waits_where_nobody_looks_is_ended_too(fate):
 
 
 @hands_in(
-    files=starting("resource = __import__('resource')\nresource.setrlimit(resource.RLIMIT_NOFILE, (0, 0))", lost=None),
-    memory=starting("resource = __import__('resource')\nresource.setrlimit(resource.RLIMIT_AS, (0, 0))", lost=None),
-    time=starting("resource = __import__('resource')\nresource.setrlimit(resource.RLIMIT_CPU, (0, 0))", lost=None),
-    stack=starting("resource = __import__('resource')\nresource.setrlimit(resource.RLIMIT_STACK, (0, 0))", lost=None),
+    files=starting("resource = __import__('resource')\nresource.setrlimit(resource.RLIMIT_NOFILE, (0, 0))"),
+    memory=starting("resource = __import__('resource')\nresource.setrlimit(resource.RLIMIT_AS, (0, 0))"),
+    time=starting("resource = __import__('resource')\nresource.setrlimit(resource.RLIMIT_CPU, (0, 0))"),
+    stack=starting("resource = __import__('resource')\nresource.setrlimit(resource.RLIMIT_STACK, (0, 0))"),
     raised=starting("""
         import resource
         raised = 0
@@ -848,11 +856,11 @@ def test_what_waits_where_nobody_looks_is_ended_too(fate):
                 raised += 1
         print("kept:", raised)
     """),
-    folder=starting("import shutil\nshutil.rmtree(os.getcwd(), ignore_errors=True)\nos.chdir('/')", lost=None),
+    folder=starting("import shutil\nshutil.rmtree(os.getcwd(), ignore_errors=True)\nos.chdir('/')"),
     gone=starting("os.mkdir('gone'); os.chdir('gone'); os.rmdir('../gone')"),
-    unreadable=starting("os.umask(0o777); os.chmod('.', 0)", lost=None),
-    modules=starting("for name in list(sys.modules): del sys.modules[name]", lost=None),
-    seccomp=starting("libc.prctl(38, 1, 0, 0, 0); libc.prctl(22, 1, 0, 0, 0)", lost=None),
+    unreadable=starting("os.umask(0o777); os.chmod('.', 0)"),
+    modules=starting("for name in list(sys.modules): del sys.modules[name]"),
+    seccomp=starting("libc.prctl(38, 1, 0, 0, 0); libc.prctl(22, 1, 0, 0, 0)"),
     executable=starting("""
         import base64
         # a program in memory only, started where no file system has to allow it
@@ -879,7 +887,7 @@ def test_what_waits_where_nobody_looks_is_ended_too(fate):
         with open("/tmp/own", "wb") as file:
             pass
         os.chmod("/tmp/own", 0o6755)
-    """, lost=None),
+    """),
 )  # fmt: skip
 def test_what_a_notebook_does_to_itself_hurts_only_itself(fate):
     assert sum(result.score for name, result in fate.results.items() if name != "displacement") == 0
