@@ -268,11 +268,11 @@ _DRIPS = """
     def slowly(stream, message):
         made = io.BytesIO()
         sent(made, message)
-        for index in range(12):
+        for index in range(4):
             stream.write(made.getvalue()[index : index + 1])
             stream.flush()
             time.sleep(0.1)
-        stream.write(made.getvalue()[12:])
+        stream.write(made.getvalue()[4:])
         stream.flush()
 
     runner.send = slowly

@@ -240,7 +240,7 @@ def test_055_a_thread_that_swaps_answers_during_the_checks_gains_nothing(fate):
     ),
 )
 def test_058_patched_libraries_of_comparison_gain_nothing(fate):
-    assert fate.total == POINTS
+    assert sum(result.score for name, result in fate.results.items() if name != "displacement") == 0
 
 
 # values that lie
