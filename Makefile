@@ -14,10 +14,10 @@ demo: .venv/.ready sandbox    ## make a sample class, grade it, compare with wha
 	$(BIN)/autograder demo
 
 test: .venv/.ready sandbox chromium    ## all tests, the slow ones and the browser included
-	$(BIN)/pytest -n 2 --dist worksteal
+	$(BIN)/pytest -n 2 --dist loadgroup
 
 quick: .venv/.ready sandbox    ## the tests without long sweeps and without a browser
-	$(BIN)/pytest -n 2 -m "not slow and not browser"
+	$(BIN)/pytest -n 2 --dist loadgroup -m "not slow and not browser"
 
 lab: .venv/.ready    ## open JupyterLab on a copy of the student notebooks, in build/lab/; what you write there stays
 	@mkdir -p build/lab && cp -R --no-clobber release/. build/lab/

@@ -29,13 +29,17 @@ MAX_TEXT = 100_000
 #: hostile Markdown takes time that grows with the square of its length; nobody writes that much in one cell
 MAX_MARKDOWN = 20_000
 
-# C0 and C1 controls except tab and line feed, the marks that turn text around, and halves of surrogate pairs
-_HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+# C0 and C1 controls except tab and line feed, marks that turn text around, halves of surrogate pairs, and what has no width or no
+# shape (but for the joiner U+200D, which emoji need), tags included
+_HIDDEN = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u00ad\u061c\u115f\u1160\u17b4\u17b5\u180e\u200b\u200c\u200e\u200f\u2028-\u202e\u2060-\u206f"
+    "\u3164\ud800-\udfff\ufeff\uffa0\ufff9-\ufffb\U000e0000-\U000e007f]"
+)
 # a tag, the end of a link's text, or a diagram: the only ways in which Markdown can do more than show text
 _MAY_ACT = re.compile(r"<[A-Za-z/!?]|\]\s*[(:\[]|mermaid")
 # where a space, which means nothing in a formula, keeps it from being read as a tag or a link
 _LIKE_TAG_OR_LINK = re.compile(r"<(?=[A-Za-z/!?])|\](?=[(:\[])")
-_ACTING_MACRO = re.compile(r"\\(href|url|require|class|cssId|style|data|mmlToken)(?![A-Za-z])")
+_ACTING_MACRO = re.compile(r"\\(href|url|require|class|cssId|style|data|mmlToken|bbox|includegraphics)(?![A-Za-z])")
 _MARKDOWN_MARK = re.compile(r"[\\`<\[$&~]|:(?=//)|\*(?=\S)|(?<=\S)\*|_(?!\w)|(?<![A-Za-z0-9])_")
 
 
@@ -113,7 +117,11 @@ def clean_output(output: Any, room: Room | None = None) -> dict[str, Any] | None
 
 def visible(text: str) -> str:
     """Return text in which control characters and marks that reverse its direction can be seen."""
-    return _HIDDEN.sub(lambda mark: f"\\u{ord(mark.group()):04x}", text[:MAX_TEXT].replace("\r\n", "\n"))
+    return _HIDDEN.sub(lambda mark: _escape(ord(mark.group())), text[:MAX_TEXT].replace("\r\n", "\n"))
+
+
+def _escape(code: int) -> str:
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 
 def safe_markdown(source: str) -> str:

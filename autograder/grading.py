@@ -162,6 +162,9 @@ def _graded_notebook(work: Work, name: str) -> GradedNotebook:
 
 
 def _run_and_judged(work: Work, name: str, submitted: Sequence[Cell]) -> GradedNotebook:
+    for exercise in NOTEBOOKS[f"{work.assignment}/{name}"]:
+        # loaded before the notebook's time begins
+        exercise_named(exercise)
     language = language_of(submitted)
     release = released(work.release[language, name])
     cells = restored_cells(release.cells, submitted)

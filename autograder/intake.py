@@ -41,11 +41,36 @@ class Cell:
     graded: bool = False
 
 
-def submitted_bytes(path: Path) -> bytes:
-    """Return the content of a submitted file: a regular file of bearable size, not reached through a link."""
+def submitted_files(folder: Path, names: Sequence[str]) -> dict[str, bytes | Text]:
+    """Return what lies in a submission's folder, by file name: the bytes, or the reason why there are none.
+
+    The folder is opened once: what is put in its place afterwards, a link for example, is not looked at.
+    """
+    try:
+        opened = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+    except OSError:
+        return dict.fromkeys(names, _NO_FILE)
+    try:
+        return {name: _bytes_or_reason(Path(name), opened) for name in names}
+    finally:
+        os.close(opened)
+
+
+def _bytes_or_reason(path: Path, folder: int) -> bytes | Text:
+    try:
+        return submitted_bytes(path, folder)
+    except UnreadableError as error:
+        return error.reason
+
+
+def submitted_bytes(path: Path, folder: int | None = None) -> bytes:
+    """Return the content of a submitted file: a regular file of bearable size, not reached through a link.
+
+    `folder`: the descriptor of the folder in which `path` is looked up.
+    """
     try:
         # a FIFO would keep an ordinary open waiting
-        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_NOCTTY)
+        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_NOCTTY, dir_fd=folder)
     except FileNotFoundError:
         raise UnreadableError(NOT_HANDED_IN) from None
     except OSError:

@@ -47,7 +47,7 @@ class LatePenalties:
         """
         arrived = arrival(folder, new) or submission.timestamp or arrival(folder, [entry.name for entry in submission.notebooks])
         submission.timestamp = (arrived or datetime.now(UTC).replace(tzinfo=None)).replace(microsecond=0)
-        if folder.is_dir():
+        if folder.is_dir() and not folder.is_symlink():
             _show(submission.timestamp, folder)
         for entry in submission.notebooks:
             entry.late_submission_penalty = self._penalty(submission, entry)

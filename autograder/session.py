@@ -59,6 +59,7 @@ class Session:
     def __enter__(self) -> "Session":
         self._process = self._server.start(self._slot, self._limits.of_each_process())
         self._end = time.monotonic() + self._limits.notebook
+        self._next_watch = time.monotonic() + _WATCH_SECONDS
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -113,19 +114,26 @@ class Session:
             raise SessionEndedError(_MALFORMED)
         return reply
 
+    def _watch_memory(self) -> None:
+        """Look from time to time at how much all processes of the notebook hold together."""
+        if time.monotonic() < self._next_watch:
+            return
+        if self._server.memory(self._process) > self._limits.memory_mb * 2**20:
+            raise SessionEndedError(_TOO_MUCH_MEMORY)
+        self._next_watch = time.monotonic() + _WATCH_SECONDS
+
     def _read(self, deadline: float, count: int) -> bytes:
-        """Return exactly `count` bytes from the notebook's process. While it keeps us waiting, watch its memory."""
+        """Return exactly `count` bytes from the notebook's process."""
         parts: list[bytes] = []
         while count:
             left = deadline - time.monotonic()
             if left <= 0:
                 raise SessionEndedError(_TOO_SLOW)
+            self._watch_memory()
             self._process.channel.settimeout(min(left, _WATCH_SECONDS))
             try:
                 part = self._process.channel.recv(min(count, 2**20))
             except TimeoutError:
-                if self._server.memory(self._process) > self._limits.memory_mb * 2**20:
-                    raise SessionEndedError(_TOO_MUCH_MEMORY) from None
                 continue
             except OSError:
                 raise SessionEndedError(_DIED) from None

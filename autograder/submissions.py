@@ -7,7 +7,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 from autograder.grading import notebook_names
-from autograder.intake import UnreadableError, submitted_bytes
+from autograder.intake import submitted_files
 from course.language import LANGUAGES, Text
 
 #: nbgrader's tables hold no longer names
@@ -21,13 +21,14 @@ class MissingReleaseError(RuntimeError):
 def students_with(root: Path, assignment: str, pattern: str = "*") -> dict[str, str]:
     """Return the students who handed in the assignment, sorted, with the name of each one's folder in submitted/.
 
-    The two are the same, but for names that no database takes. Links and files are no students.
+    The two are the same, but for names that no database takes. Links and files in submitted/ are no students; whatever lies in a
+    student's folder under the assignment's name is a submission, if only one that cannot be read.
     """
     folder = root / "submitted"
     if not folder.is_dir():
         return {}
     names = [entry.name for entry in os.scandir(folder) if entry.is_dir(follow_symlinks=False)]
-    with_work = sorted(name for name in names if _is_folder(folder / name / assignment))
+    with_work = sorted(name for name in names if _has_entry(folder / name, assignment))
     return {student: name for student, name in _ids(with_work).items() if fnmatchcase(student, pattern)}
 
 
@@ -46,8 +47,9 @@ def release_notebooks(root: Path, assignment: str) -> dict[tuple[str, str], byte
 
 def submitted_notebooks(root: Path, folder: str, assignment: str) -> dict[str, bytes | Text]:
     """Return what lies in a student's folder, by notebook name: the bytes, or the reason why there are none."""
-    place = root / "submitted" / folder / assignment
-    return {name: _bytes_or_reason(place / f"{name}.ipynb") for name in notebook_names(assignment)}
+    names = {f"{name}.ipynb": name for name in notebook_names(assignment)}
+    found = submitted_files(root / "submitted" / folder / assignment, [*names])
+    return {names[file]: given for file, given in found.items()}
 
 
 def hashes(notebooks: Mapping[str, bytes | Text]) -> dict[str, str]:
@@ -58,8 +60,15 @@ def hashes(notebooks: Mapping[str, bytes | Text]) -> dict[str, str]:
     }
 
 
-def _is_folder(path: Path) -> bool:
-    return path.is_dir() and not path.is_symlink()
+def _has_entry(folder: Path, name: str) -> bool:
+    try:
+        os.lstat(folder / name)
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    except OSError:
+        # a folder that may not be looked into: there may be one, and somebody has to be told
+        return True
+    return True
 
 
 def _ids(names: list[str]) -> dict[str, str]:
@@ -78,10 +87,3 @@ def _as_text(name: str) -> str:
     if len(text) <= _LONGEST_ID:
         return text
     return f"{text[: _LONGEST_ID - 17]}~{hashlib.sha256(os.fsencode(name)).hexdigest()[:16]}"
-
-
-def _bytes_or_reason(path: Path) -> bytes | Text:
-    try:
-        return submitted_bytes(path)
-    except UnreadableError as error:
-        return error.reason

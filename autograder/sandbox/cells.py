@@ -9,6 +9,7 @@ import itertools
 import os
 import signal
 import sys
+import tempfile
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from types import CodeType
@@ -99,11 +100,11 @@ class _Stream(io.TextIOBase):
 
 
 class _Descriptor:
-    """A file in memory in the place of a descriptor, emptied after each cell."""
+    """A file without a name in the place of a descriptor, emptied after each cell."""
 
     def __init__(self, outputs: Outputs, name: str, descriptor: int) -> None:
         self._outputs, self._name = outputs, name
-        self._file = os.memfd_create(name)
+        self._file = os.open(tempfile.gettempdir(), os.O_TMPFILE | os.O_RDWR)
         os.dup2(self._file, descriptor)
 
     def collect(self) -> None:

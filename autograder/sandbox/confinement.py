@@ -33,6 +33,8 @@ _REFUSED = (
     "quotactl_fd", "swapon", "swapoff", "reboot", "acct", "settimeofday", "clock_settime", "adjtimex", "clock_adjtime", "syslog",
     "sethostname", "setdomainname", "fanotify_init", "lookup_dcookie", "nfsservctl", "vhangup", "mbind", "migrate_pages",
     "move_pages", "set_mempolicy", "modify_ldt", "iopl", "ioperm", "personality",
+    # memory that belongs to no process, so that nobody sees how much it is
+    "memfd_create", "memfd_secret", "shmget", "mq_open",
 )  # fmt: skip
 _FAMILIES = (0, 1, 2, 10)  # of sockets: unspecified, Unix, IPv4, IPv6; there is no network behind them
 

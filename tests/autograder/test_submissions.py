@@ -12,15 +12,15 @@ def submissions(root, *students, assignment="odometry"):
         (root / "submitted" / student / assignment).mkdir(parents=True)
 
 
-def test_students_are_the_folders_with_the_assignment(tmp_path):
+def test_students_are_the_folders_with_something_under_the_assignments_name(tmp_path):
     submissions(tmp_path, "s2", "s10", "s1", "x y")
     submissions(tmp_path, "other", assignment="imu")
     (tmp_path / "submitted/file").write_text("")
     (tmp_path / "submitted/link").symlink_to(tmp_path / "submitted/s1")
     (tmp_path / "submitted/linked").mkdir()
     (tmp_path / "submitted/linked/odometry").symlink_to(tmp_path / "submitted/s1/odometry")
-    assert students_with(tmp_path, "odometry") == {name: name for name in ("s1", "s10", "s2", "x y")}
-    assert [*students_with(tmp_path, "odometry")] == ["s1", "s10", "s2", "x y"]
+    assert students_with(tmp_path, "odometry") == {name: name for name in ("linked", "s1", "s10", "s2", "x y")}
+    assert [*students_with(tmp_path, "odometry")] == ["linked", "s1", "s10", "s2", "x y"]
     assert [*students_with(tmp_path, "odometry", "s?")] == ["s1", "s2"]
     assert students_with(tmp_path, "odometry", "S*") == {}
     assert students_with(tmp_path / "nowhere", "odometry") == {}
@@ -38,6 +38,17 @@ def test_a_name_that_is_too_long_for_a_database_is_shortened_and_stays_unlike_ot
     assert len(set(ids)) == 3
     assert "x" * 128 in ids
     assert {len(student) for student in ids} == {128}
+
+
+@pytest.mark.usefixtures("class_contents")
+def test_what_is_reached_through_a_link_is_not_read(hand_in, class_root):
+    hand_in("ann", pose_update=b"anything")
+    (class_root / "submitted/bob").mkdir()
+    (class_root / "submitted/bob/odometry").symlink_to(class_root / "submitted/ann/odometry")
+    given = submitted_notebooks(class_root, "bob", "odometry")
+    assert {reason.en for reason in given.values()} == {
+        "There is no ordinary file with the notebook's name (a link or a folder is not read)."
+    }
 
 
 @pytest.mark.usefixtures("class_contents")

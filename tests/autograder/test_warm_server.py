@@ -36,9 +36,7 @@ def test_the_limits_of_each_process_hold(sandbox):
 
 @pytest.mark.parametrize("sandbox", KINDS)
 def test_every_notebook_begins_anew_and_draws_its_own_random_numbers(sandbox):
-    source = (
-        "import random, numpy as np\nprint('seen' in globals(), len(In), random.random(), np.random.rand())"
-    )
+    source = "import random, numpy as np\nprint('seen' in globals(), len(In), random.random(), np.random.rand())"
     drawn = []
     for _ in range(2):
         with Session(LIMITS, sandbox) as session:
