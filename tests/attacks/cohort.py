@@ -101,10 +101,11 @@ class Cohort:
         return notebook | {"cells": cells}
 
     def course_files(self) -> dict[str, tuple[int, int]]:
-        """Return size and time of change of every file that grading only reads."""
+        """Return size and time of change of every file that grading only reads: of what was handed in, all but the time of arrival."""
         folders = [self.room.root / "release", self.room.root / "submitted"]
         folders += [ROOT / name for name in ("course", "autograder", "data", "source")]
-        files = [path for folder in folders for path in folder.rglob("*") if path.suffix != ".pyc" and path.is_file()]
+        files = [path for folder in folders for path in folder.rglob("*") if path.is_file()]
+        files = [path for path in files if path.suffix != ".pyc" and path.name != "timestamp.txt"]
         files += [self.room.root / "nbgrader_config.py", self.room.root / "solutions.txt"]
         return {str(path): (path.stat().st_size, path.stat().st_mtime_ns) for path in files}
 
