@@ -132,6 +132,8 @@ class _Batch:
                 continue
             self._begun[student] = begun
             yield begun.work
+            # while the first is on its way: what is wrong with the gradebook is said before the others are
+            self._opened_gradebook()
 
     def _begin(self, student: str, notebooks: Mapping[str, bytes | Text], before: Receipt | None, slot: int) -> _Begun:
         given = hashes(notebooks)
@@ -205,13 +207,8 @@ class _Batch:
 
     def _write(self, begun: _Begun, notebooks: list[GradedNotebook]) -> None:
         """Write a graded submission into the gradebook and autograded/, and then its receipt."""
-        if self._gradebook is None:
-            # imported here: nbgrader takes seconds, and a run that finds nothing new does not need it
-            from autograder.gradebook import GradebookWriter
-
-            self._gradebook = GradebookWriter(self._root, self._assignment).__enter__()
         student = begun.work.student
-        self._gradebook.write(student, notebooks, begun.kept, begun.unchanged)
+        self._opened_gradebook().write(student, notebooks, begun.kept, begun.unchanged)
         results = [*begun.kept, *(result for notebook in notebooks for result in notebook.results)]
         receipt = replace(
             begun.receipt,
@@ -223,6 +220,14 @@ class _Batch:
         replies = {exercise: reply for notebook in notebooks for exercise, reply in notebook.replies.items()}
         write_receipt(self._root, receipt, handed_in, replies)
         self._results[student] = results
+
+    def _opened_gradebook(self) -> "GradebookWriter":
+        if self._gradebook is None:
+            # imported here: nbgrader takes seconds, and a run that finds nothing new does not need it
+            from autograder.gradebook import GradebookWriter
+
+            self._gradebook = GradebookWriter(self._root, self._assignment).__enter__()
+        return self._gradebook
 
     def _open_pool(self, submissions: int) -> Callable[[], contextlib.AbstractContextManager]:
         if self._options.scheduler:

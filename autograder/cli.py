@@ -200,19 +200,21 @@ def grade_class(root: Path, assignment: str, options: Options) -> list[Result]:
         SpinnerColumn(), TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"),
         console=console,
     )  # fmt: skip
+    task = bar.add_task("")
+
+    def on_progress(done: int, count: int, student: str) -> None:
+        # what cannot begin shows no bar
+        bar.start()
+        bar.update(task, completed=done, total=count, description=escape(student[:30]))
+
     try:
-        with bar:
-            task = bar.add_task("")
-            return graded_class(
-                root,
-                assignment,
-                options,
-                lambda done, count, student: bar.update(task, completed=done, total=count, description=escape(student[:30])),
-            )
+        return graded_class(root, assignment, options, on_progress)
     except BatchError as error:
         _fail(str(error))
     except KeyboardInterrupt:
         _fail("Stopped. What was graded so far is in the gradebook; type the same command again for the rest.")
+    finally:
+        bar.stop()
 
 
 def write_json(path: Path, results: list[Result]) -> None:
@@ -221,7 +223,9 @@ def write_json(path: Path, results: list[Result]) -> None:
     from autograder.grading import result_row
 
     path.parent.mkdir(parents=True, exist_ok=True)
-    lines = (json.dumps(result_row(result), ensure_ascii=False) for result in results)
+    # without the seeds: the file may be handed on, and from a seed and the sources come the cases
+    rows = ({key: value for key, value in result_row(result).items() if key != "seed"} for result in results)
+    lines = (json.dumps(row, ensure_ascii=False) for row in rows)
     replace_file(path.resolve(), "".join(f"{line}\n" for line in lines).encode())
 
 

@@ -33,6 +33,7 @@ def measured(command: Sequence[str], folder: Path, cores: Sequence[int], environ
     """Run a command on these cores and return what it cost. Raises CalledProcessError with its output if it fails."""
     # whatever outlives its parent comes to us, so that its time is counted when it ends
     ctypes.CDLL(None).prctl(_PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    others = _children()
     cost, before, begun = Cost(), _children_cpu(), time.monotonic()
     process = subprocess.Popen(
         ["taskset", "--cpu-list", ",".join(map(str, cores)), *command],
@@ -45,13 +46,17 @@ def measured(command: Sequence[str], folder: Path, cores: Sequence[int], environ
     cost.wall = time.monotonic() - begun
     done.set()
     watcher.join()
-    with contextlib.suppress(ChildProcessError):
-        while True:
-            os.waitpid(-1, 0)
+    for orphan in _children() - others:
+        with contextlib.suppress(ChildProcessError):
+            os.waitpid(orphan, 0)
     cost.cpu = _children_cpu() - before
     if process.returncode:
         raise subprocess.CalledProcessError(process.returncode, command, output)
     return cost
+
+
+def _children() -> set[int]:
+    return {pid for pid, parent in _parents() if parent == os.getpid()}
 
 
 def _children_cpu() -> float:

@@ -56,7 +56,7 @@ def main(control: socket.socket, confined: bool) -> None:
                 children.discard(request["pid"])
                 told = {"ended": request["pid"]}
             case _:
-                told = {"memory": _memory_of(request["pid"])}
+                told = {"memory": _memory_of(request["pid"], confined)}
         control.send(json.dumps(told).encode())
     _end(children)
 
@@ -107,18 +107,20 @@ def _end(children: Collection[int]) -> None:
             pass
 
 
-def _memory_of(child: int) -> int:
-    """Return how many bytes the child and all processes in its pid namespace hold; what they share counts in shares."""
-    try:
-        home = os.stat(f"/proc/{child}/ns/pid").st_ino
-    except OSError:
-        return 0
+def _memory_of(child: int, confined: bool) -> int:
+    """Return how many bytes the child and all processes of its notebook hold; what they share counts in shares."""
     total = 0
-    for pid in filter(str.isdigit, os.listdir("/proc")):
-        with contextlib.suppress(OSError, ValueError, IndexError):
-            if os.stat(f"/proc/{pid}/ns/pid").st_ino == home:
-                total += _proportional(int(pid))
+    for pid in map(int, filter(str.isdigit, os.listdir("/proc"))):
+        # they come and go while we look
+        with contextlib.suppress(OSError, ValueError, IndexError, StopIteration):
+            if _home(pid, confined) == _home(child, confined):
+                total += _proportional(pid)
     return total
+
+
+def _home(pid: int, confined: bool) -> int:
+    """Return what all processes of a notebook have in common: their pid namespace, or else their session."""
+    return os.stat(f"/proc/{pid}/ns/pid").st_ino if confined else os.getsid(pid)
 
 
 def _proportional(pid: int) -> int:

@@ -10,7 +10,7 @@ import pytest
 from rich.console import Console
 from typer.testing import CliRunner
 
-from autograder import engine
+from autograder import batch
 from autograder.cli import app, class_table, exercise_table, write_json
 from autograder.grading import GradedNotebook, Result
 
@@ -107,7 +107,7 @@ def nothing_runs(monkeypatch):
     def fail(*_):
         pytest.fail("it started to grade")
 
-    monkeypatch.setattr(engine, "graded", fail)
+    monkeypatch.setattr(batch, "graded", fail)
 
 
 @pytest.mark.usefixtures("nothing_runs")
@@ -136,9 +136,10 @@ def test_no_release(class_root, hand_in, command):
     assert not (class_root / "gradebook.db").exists()
 
 
-@pytest.mark.usefixtures("nothing_runs")
-def test_a_release_of_which_the_editions_differ(class_root, hand_in, empty_gradebook):
+@pytest.mark.usefixtures("class_contents")
+def test_a_release_of_which_the_editions_differ(class_root, hand_in, empty_gradebook, monkeypatch):
     hand_in("ann", pose_update=b"")
+    monkeypatch.setattr(batch, "graded", lambda works, _: iter([*works][:0]))
     shutil.copy(empty_gradebook, class_root / "gradebook.db")
     path = class_root / "release/en/odometry/encoders.ipynb"
     path.write_text(path.read_text().replace('"points": 5', '"points": 6'))
@@ -159,15 +160,17 @@ def test_no_sandbox_on_this_machine(class_root, hand_in, monkeypatch, command):
     )
 
 
+@pytest.mark.usefixtures("class_contents")
 def test_stopped_by_the_ta(class_root, hand_in, empty_gradebook, monkeypatch):
-    def interrupted(*_):
-        yield "ann", []
+    def interrupted(works, _):
+        next(iter(works))
         raise KeyboardInterrupt
+        yield
 
     hand_in("ann", pose_update=b"")
     hand_in("bob", pose_update=b"")
     shutil.copy(empty_gradebook, class_root / "gradebook.db")
-    monkeypatch.setattr(engine, "graded", interrupted)
+    monkeypatch.setattr(batch, "graded", interrupted)
     text, code = call("grade", "odometry", "--no-sandbox", "--root", class_root)
     assert code == 1
     assert "Stopped. What was graded so far is in the gradebook; type the same command again for the rest." in text

@@ -319,6 +319,9 @@ class Played:
     def run(self, source):
         return self.outputs
 
+    def names(self, sources):
+        return frozenset()
+
     def ask(self, name, questions):
         raise SessionEndedError(Text("over", "終わり"))
 
