@@ -29,8 +29,9 @@ build: .venv/.ready    ## make release/ and the public examples from source/
 data: .venv/.ready    ## make the logs in data/ anew
 	$(BIN)/python -m course.datasets data
 
-bench: .venv/.ready    ## how long a check takes, exercise by exercise
+bench: .venv/.ready sandbox    ## what a check costs, and what grading a class costs, beside stock nbgrader
 	$(BIN)/python bench/check.py
+	PYTHONPATH=. $(BIN)/python bench/grading.py
 
 lint: .venv/.ready
 	$(BIN)/ruff check . && $(BIN)/ruff format --check . && $(BIN)/mypy
@@ -48,8 +49,9 @@ environment: .venv/.ready    ## pin all packages anew, from the ranges in pyproj
 	$(BIN)/uv pip install --quiet --no-deps --no-build-isolation -e .
 	@touch $@
 
+# libseccomp is not needed, but makes the sandbox tighter
 sandbox:
-	@command -v bwrap >/dev/null || { $(call apt,bubblewrap) } || { echo "Grading needs bubblewrap; type: sudo apt-get install bubblewrap"; exit 1; }
+	@{ command -v bwrap && /sbin/ldconfig -p | grep libseccomp.so.2; } >/dev/null || { $(call apt,bubblewrap libseccomp2) } || command -v bwrap >/dev/null || { echo "Grading needs bubblewrap; type: sudo apt-get install bubblewrap"; exit 1; }
 
 chromium:
 	@command -v chromium >/dev/null || { $(call apt,chromium) } || echo "No Chromium, so the browser tests are left out; to have them type: sudo apt-get install chromium"
