@@ -4,6 +4,7 @@ import ast
 import base64
 import builtins
 import contextlib
+import getpass
 import io
 import itertools
 import os
@@ -11,11 +12,13 @@ import signal
 import sys
 import tempfile
 import warnings
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Coroutine, Iterable, Iterator, Mapping
 from types import CodeType
-from typing import Any
+from typing import Any, NoReturn
 
 import matplotlib_inline.config
+from IPython.core import page
+from IPython.core.async_helpers import get_asyncio_loop
 from IPython.core.displayhook import DisplayHook
 from IPython.core.displaypub import DisplayPublisher
 from IPython.core.error import StdinNotImplementedError
@@ -38,33 +41,69 @@ Output = dict[str, Any]
 
 
 class Outputs:
-    """What the cell that runs now has put out; capped, so that a flood costs no memory and fits into one message."""
+    """What the cell that runs now has put out; capped, so that a flood costs no memory and fits into one message.
 
-    def __init__(self) -> None:
+    `collect` is called before anything is appended: what programs wrote meanwhile comes first.
+    """
+
+    def __init__(self, collect: Callable[[], object] = lambda: None) -> None:
+        self._collect = collect
         self.clear()
 
-    def clear(self) -> None:
-        """Begin a new cell."""
+    def clear(self, wait: bool = False) -> None:
+        """Begin anew, at once or when the next output comes."""
+        self._cleared_by_next = wait
+        if wait:
+            return
         self.items: list[Output] = []
+        #: displays that may still change, by the id that the cell gave them
+        self._named: dict[str, list[Output]] = {}
         self._text, self._pictures = MAX_TEXT, MAX_PICTURES
-
-    def add(self, output: Output) -> None:
-        """Append one output, if there is room for it."""
-        if len(self.items) < MAX_OUTPUTS:
-            self.items.append(output)
 
     def stream(self, name: str, text: str) -> None:
         """Append printed text, joined to what the same stream just wrote."""
+        self._prepare()
         text = self._fitted(text)
         if not text:
             return
         if self.items and self.items[-1].get("name") == name:
             self.items[-1]["text"] += text
         else:
-            self.add({"output_type": "stream", "name": name, "text": text})
+            self._add({"output_type": "stream", "name": name, "text": text})
 
-    def display(self, kind: str, data: Mapping[str, Any]) -> None:
+    def display(self, kind: str, data: Mapping[str, Any], display_id: object = None) -> None:
         """Append what was displayed: its text and its picture, which is all that is ever shown of it."""
+        self._prepare()
+        output = {"output_type": kind, "data": self._shown(data)}
+        if self._add(output) and isinstance(display_id, str):
+            self._named.setdefault(display_id, []).append(output)
+
+    def update(self, display_id: object, data: Mapping[str, Any]) -> None:
+        """Show something else in the place of what this cell displayed under this id; earlier cells are handed over already."""
+        for output in self._named.get(display_id, ()) if isinstance(display_id, str) else ():
+            self._text += len(output["data"].get("text/plain", ""))
+            self._pictures += len(output["data"].get("image/png", ""))
+            output["data"] = self._shown(data)
+
+    def error(self, name: str, value: str, traceback: Iterable[str]) -> None:
+        """Append an exception."""
+        self._prepare()
+        lines = [self._fitted(line) for line in itertools.islice(traceback, 60)]
+        self._add({"output_type": "error", "ename": name[:200], "evalue": value[:2000], "traceback": lines})
+
+    def _prepare(self) -> None:
+        self._collect()
+        if self._cleared_by_next:
+            self.clear()
+
+    def _add(self, output: Output) -> bool:
+        """Append one output, if there is room for it."""
+        if len(self.items) >= MAX_OUTPUTS:
+            return False
+        self.items.append(output)
+        return True
+
+    def _shown(self, data: Mapping[str, Any]) -> dict[str, str]:
         shown = {}
         text, picture = data.get("text/plain"), data.get("image/png")
         if isinstance(text, str):
@@ -74,12 +113,7 @@ class Outputs:
         if isinstance(picture, str) and len(picture) <= self._pictures:
             self._pictures -= len(picture)
             shown["image/png"] = picture
-        self.add({"output_type": kind, "data": shown})
-
-    def error(self, name: str, value: str, traceback: Iterable[str]) -> None:
-        """Append an exception."""
-        lines = [self._fitted(line) for line in itertools.islice(traceback, 60)]
-        self.add({"output_type": "error", "ename": name[:200], "evalue": value[:2000], "traceback": lines})
+        return shown
 
     def _fitted(self, text: str) -> str:
         text = text[: self._text]
@@ -88,11 +122,17 @@ class Outputs:
 
 
 class _Stream(io.TextIOBase):
-    def __init__(self, outputs: Outputs, name: str) -> None:
-        self._outputs, self._name = outputs, name
+    #: as a kernel's: what is printed may depend on it
+    encoding = "UTF-8"
+
+    def __init__(self, outputs: Outputs, name: str, descriptor: int) -> None:
+        self._outputs, self._name, self._descriptor = outputs, name, descriptor
 
     def writable(self) -> bool:
         return True
+
+    def fileno(self) -> int:
+        return self._descriptor
 
     def write(self, text: str) -> int:
         self._outputs.stream(self._name, str(text))
@@ -100,36 +140,45 @@ class _Stream(io.TextIOBase):
 
 
 class _Descriptor:
-    """A file without a name in the place of a descriptor, emptied after each cell."""
+    """A file without a name in the place of a descriptor, emptied whenever something else is put out, and after each cell."""
 
-    def __init__(self, outputs: Outputs, name: str, descriptor: int) -> None:
-        self._outputs, self._name = outputs, name
+    def __init__(self, name: str, descriptor: int) -> None:
+        self.name = name
         self._file = os.open(tempfile.gettempdir(), os.O_TMPFILE | os.O_RDWR)
         os.dup2(self._file, descriptor)
 
-    def collect(self) -> None:
-        """Move what was written into the outputs of the cell."""
-        size = os.lseek(self._file, 0, os.SEEK_CUR)
-        if not size:
-            return
+    def taken(self) -> str:
+        """Return what was written since the last time."""
+        if not os.lseek(self._file, 0, os.SEEK_CUR):
+            return ""
         text = os.pread(self._file, MAX_TEXT, 0).decode(errors="replace")
         os.ftruncate(self._file, 0)
         os.lseek(self._file, 0, os.SEEK_SET)
-        self._outputs.stream(self._name, text)
+        return text
 
 
-def _refused_input(prompt: object = "") -> str:
+def _refused_input(prompt: object = "") -> NoReturn:
     raise StdinNotImplementedError("raw_input was called, but this frontend does not support input requests.")
+
+
+def _refused_getpass(prompt: object = "", stream: object = None) -> NoReturn:
+    raise StdinNotImplementedError("getpass was called, but this frontend does not support input requests.")
 
 
 class _Publisher(DisplayPublisher):
     outputs: Outputs
 
-    def publish(self, data: Any, metadata: Any = None, *_: Any, **__: Any) -> None:
-        self.outputs.display("display_data", data)
+    def publish(
+        self, data: Any, metadata: Any = None, source: Any = None, *, transient: Any = None, update: bool = False, **_: Any
+    ) -> None:
+        display_id = (transient or {}).get("display_id")
+        if update:
+            self.outputs.update(display_id, data)
+        else:
+            self.outputs.display("display_data", data, display_id)
 
     def clear_output(self, wait: bool = False) -> None:
-        self.outputs.clear()
+        self.outputs.clear(wait)
 
 
 class _Hook(DisplayHook):
@@ -152,6 +201,11 @@ class _Shell(InteractiveShell):
     def enable_gui(self, gui: Any = None) -> None:
         """Do nothing: figures are drawn inline, and there are no windows here."""
 
+    def init_hooks(self) -> None:
+        """Show help in no pager: a notebook keeps nothing of it."""
+        super().init_hooks()
+        self.set_hook("show_in_pager", page.as_hook(lambda *_, **__: None), 99)
+
     def ask_exit(self) -> None:
         """Go on: what comes after exit() is graded too."""
 
@@ -170,16 +224,18 @@ class Cells:
         config = Config()
         config.HistoryManager.enabled = False
         config.InteractiveShell.colors = "nocolor"
-        self._outputs = Outputs()
         self._descriptors: list[_Descriptor] = []
+        self._outputs = Outputs(self._collect)
         self.sources: list[str] = []
         self._shell = _Shell.instance(config=config)
         for part in (self._shell, self._shell.displayhook, self._shell.display_pub):
             part.outputs = self._outputs
+        self._shell.loop_runner = _until_done
         self._shell.enable_matplotlib("inline")
         # the default, "tight", draws every picture twice
         matplotlib_inline.config.InlineBackend.instance(parent=self._shell).print_figure_kwargs = {}
         builtins.input = _refused_input
+        getpass.getpass = _refused_getpass
 
     def warm_up(self) -> None:
         """Run a cell and draw a figure with a formula and Japanese in it, as the first notebook would; nothing of it stays."""
@@ -192,7 +248,7 @@ class Cells:
 
     def watch_descriptors(self) -> None:
         """Keep what programs write to this process's own standard output and error, not through Python."""
-        self._descriptors = [_Descriptor(self._outputs, "stdout", 1), _Descriptor(self._outputs, "stderr", 2)]
+        self._descriptors = [_Descriptor("stdout", 1), _Descriptor("stderr", 2)]
 
     @property
     def namespace(self) -> dict[str, object]:
@@ -212,13 +268,39 @@ class Cells:
     def run(self, source: str, seconds: float) -> list[Output]:
         """Run one cell for at most `seconds` and return its outputs."""
         self._outputs.clear()
-        self.sources.append(self._without_magics(source))
-        streams = _Stream(self._outputs, "stdout"), _Stream(self._outputs, "stderr")
+        python = self._without_magics(source)
+        self.sources.append(python)
+        streams = _Stream(self._outputs, "stdout", 1), _Stream(self._outputs, "stderr", 2)
         with contextlib.redirect_stdout(streams[0]), contextlib.redirect_stderr(streams[1]), _time_limit(seconds):
-            self._shell.run_cell(source, store_history=True)
-        for descriptor in self._descriptors:
-            descriptor.collect()
+            if self._shell.should_run_async(source, transformed_cell=python):
+                # IPython runs the loop
+                self._shell.run_cell(source, store_history=True)
+            else:
+                _until_done(self._cell(source))
+        self._collect()
         return self._outputs.items
+
+    def count(self, source: str) -> None:
+        """Count a cell that is not run here as if it were: the numbers of those after it are the same then as in Jupyter."""
+        history: Any = self._shell.history_manager
+        history.store_inputs(self._shell.execution_count, source)
+        self._shell.execution_count += 1
+
+    async def _cell(self, source: str) -> None:
+        """Run a cell that does not wait for anything. An event loop runs meanwhile, as in a kernel: it may begin a task."""
+        self._shell.run_cell(source, store_history=True)
+
+    def _collect(self) -> None:
+        """Move what was written to this process's own standard output and error into the outputs of the cell."""
+        for stream in (sys.__stdout__, sys.__stderr__):
+            # closed by a cell, perhaps
+            with contextlib.suppress(Exception):
+                if stream is not None:
+                    stream.flush()
+        # all of it first: with each output this is called again
+        for name, text in [(descriptor.name, descriptor.taken()) for descriptor in self._descriptors]:
+            if text:
+                self._outputs.stream(name, text)
 
     def _without_magics(self, source: str) -> str:
         """Return a cell as Python reads it, so that what it defines can be looked up."""
@@ -226,6 +308,19 @@ class Cells:
             return str(self._shell.transform_cell(source))
         except Exception:  # it will not run either
             return source
+
+
+def _until_done(coroutine: Coroutine[Any, Any, Any]) -> Any:
+    """Run the event loop until a cell is done."""
+    # made in the notebook's own process: forks would share what it waits on
+    loop = get_asyncio_loop()
+    task = loop.create_task(coroutine)
+    try:
+        return loop.run_until_complete(task)
+    except KeyboardInterrupt as interrupt:
+        # or it would go on while later cells run
+        task.cancel(str(interrupt))
+        return loop.run_until_complete(task)
 
 
 def _names_in(code: CodeType) -> set[str]:

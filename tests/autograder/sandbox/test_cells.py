@@ -157,6 +157,25 @@ def test_sleeping_is_interrupted_too(session):
     assert error["ename"] == "KeyboardInterrupt"
 
 
+def test_a_cell_that_awaits_for_ever_is_interrupted_and_does_not_go_on(session):
+    [error] = session.run("import asyncio\nturns = 0\nwhile True:\n    await asyncio.sleep(0.01)\n    turns += 1")
+    assert (error["ename"], error["evalue"]) == ("CancelledError", "the cell did not finish within 2 s")
+    session.run("before = turns")
+    assert session.run("await asyncio.sleep(0.05, turns - before)") == [result("0")]
+
+
+def test_a_task_that_one_cell_begins_a_later_one_waits_for(session):
+    session.run("import asyncio\nbegun = asyncio.create_task(asyncio.sleep(0.01, 'waited for'))")
+    assert session.run("await begun") == [result("'waited for'")]
+
+
+def test_what_programs_write_stands_where_they_wrote_it(session):
+    outputs = session.run(
+        "import os\nprint('a')\nos.system('echo b; echo c >&2')\nprint('d')\ndisplay('e')\nos.system('echo f');"
+    )
+    assert outputs == [stream("a\nb\n"), stream("c\n", "stderr"), stream("d\n"), shown("'e'"), stream("f\n")]
+
+
 # the caps themselves
 
 
@@ -193,3 +212,29 @@ def test_a_picture_in_bytes_becomes_text():
     outputs = Outputs()
     outputs.display("display_data", {"image/png": b"\x89PNG"})
     assert outputs.items[0]["data"] == {"image/png": "iVBORw=="}
+
+
+def test_a_display_that_changes_without_end_takes_no_more_room_than_what_it_shows():
+    outputs, picture = Outputs(), "A" * (MAX_PICTURES // 2)
+    outputs.display("display_data", {"text/plain": "first"}, "bar")
+    for count in range(MAX_TEXT // 9 + 10):
+        last = {"text/plain": f"{count:09}", "image/png": picture}
+        outputs.update("bar", last)
+    assert outputs.items == [{"output_type": "display_data", "data": last}]
+
+
+@pytest.mark.parametrize("display_id", ["nosuch", None, [], {}])
+def test_a_display_that_is_not_there_is_not_changed(display_id):
+    outputs = Outputs()
+    outputs.display("display_data", {"text/plain": "a"}, display_id if display_id != "nosuch" else None)
+    outputs.update(display_id, {"text/plain": "b"})
+    assert outputs.items == [shown("a")]
+
+
+def test_what_is_to_be_cleared_by_the_next_output_stays_until_there_is_one():
+    outputs = Outputs()
+    outputs.stream("stdout", "a")
+    outputs.clear(wait=True)
+    assert outputs.items == [stream("a")]
+    outputs.display("display_data", {"text/plain": "b"})
+    assert outputs.items == [shown("b")]
