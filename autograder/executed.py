@@ -60,7 +60,7 @@ def executed_notebook(release: Release, cells: Sequence[Cell], outputs: Sequence
     for index, cell in enumerate(cells):
         shown = outputs[index] if index < len(outputs) else None
         entry = _made_cell(cell, release.prose, shown or [])
-        if shown is not None and cell.type == "code":
+        if shown is not None and cell.type == "code" and cell.source.strip():
             count += 1
             _number(entry, count)
         template = release.templates.get(cell.grade_id) if cell.grade_id is not None else None

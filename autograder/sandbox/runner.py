@@ -34,6 +34,7 @@ def _answer(cells: Cells, request: dict[str, Any]) -> dict[str, Any]:
         return {"outputs": cells.run(request["source"], request["seconds"])}
     if request["do"] == "names":
         return {"names": cells.names_used(request["sources"])}
+    cells.count(f'check("{request["name"]}")')
     answer, missing = find(request["name"], cells.namespace, cells.sources)
     if missing is not None:
         return {"interview": packed_interview(Interview(missing=missing))}
