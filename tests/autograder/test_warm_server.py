@@ -89,10 +89,12 @@ def test_it_ends_with_its_last_user_and_leaves_no_control_group():
     assert group is None or not any(folder.exists() for folder in group.folders)
 
 
-@pytest.mark.sandbox
-def test_the_memory_of_all_processes_of_a_notebook_counts_together():
-    with Session(LIMITS) as session:
-        server, process = warm_server(True), session._process
+@pytest.mark.parametrize("sandbox", KINDS)
+def test_the_memory_of_all_processes_of_a_notebook_counts_together(sandbox):
+    """And of no other: without a sandbox everybody's processes are to be seen."""
+    with Session(LIMITS, sandbox) as session:
+        server, process = warm_server(sandbox), session._process
+        session.run("1")
         before = server.memory(process)
         assert 0 < before < 400 * 2**20
         session.run(
