@@ -7,8 +7,9 @@ import socket
 from typing import Any
 
 from autograder.sandbox.cells import Cells
-from autograder.sandbox.wire import packed_interview, receive, send, unpacked_questions
-from course.answers import Interview, find, interview
+from autograder.sandbox.wire import WireError, packed_interview, receive, send, unpacked_questions
+from course.answers import Interview, Reply, find, interview
+from course.plain import Odd
 
 
 def serve(channel: socket.socket, cells: Cells) -> None:
@@ -26,7 +27,18 @@ def serve(channel: socket.socket, cells: Cells) -> None:
             request = receive(read)
         except EOFError:
             return
-        send(stream, {"id": request["id"], "nonce": request["nonce"], **_answer(cells, request)})
+        numbered = {"id": request["id"], "nonce": request["nonce"]}
+        try:
+            send(stream, numbered | _answer(cells, request))
+        except WireError:
+            # each value fits, all together do not
+            send(stream, numbered | {"interview": packed_interview(_too_big(request))})
+
+
+def _too_big(request: dict[str, Any]) -> Interview:
+    """Return the interview of an answer that returns more than a message holds: no case is right, and the student is told why."""
+    questions = unpacked_questions(request.get("questions", []))
+    return Interview(replies=tuple(Reply(Odd("too_big", "value"), inputs=question.args) for question in questions))
 
 
 def _answer(cells: Cells, request: dict[str, Any]) -> dict[str, Any]:

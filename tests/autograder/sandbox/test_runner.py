@@ -1,6 +1,8 @@
+import numpy as np
 import pytest
 
 from course.answers import Missing, Question
+from course.plain import Odd
 
 
 def test_an_answer_is_asked_with_what_it_is_given(session):
@@ -54,3 +56,16 @@ def test_an_axes_comes_as_a_summary(session):
     figure = session.ask("graph", []).figure
     assert figure["lines"][0]["xy"].tolist() == [[0, 2], [1, 3]]
     assert figure["lines"][0]["label"] == "path"
+
+
+TOO_MUCH = {"arrays": "np.zeros(4_000_000)", "texts": "['x' * 10_000] * 2_000"}
+
+
+@pytest.mark.parametrize("value", TOO_MUCH.values(), ids=TOO_MUCH.keys())
+def test_an_answer_that_returns_more_than_a_message_holds_is_wrong_and_the_others_are_asked(session, value):
+    session.run(f"import numpy as np\ndef huge(row): return {value}\ndef right(): return 1")
+    talk = session.ask("huge", [Question((np.arange(3.0),))] * 3)
+    assert [reply.value for reply in talk.replies] == [Odd("too_big", "value")] * 3
+    # what it was given stands as it was, so that the fault is found in the value
+    assert [reply.inputs[0].tolist() for reply in talk.replies] == [[0.0, 1.0, 2.0]] * 3
+    assert session.ask("right", [Question(())]).replies[0].value == 1
