@@ -3,7 +3,6 @@
 Only cell types, sources and grade ids are read from a submission. Its outputs, metadata, points and flags are not.
 """
 
-import json
 import os
 import stat
 from collections.abc import Sequence
@@ -11,10 +10,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from autograder.sandbox.limited_json import TooManyValuesError, limited_json
 from course.language import Text
 
 MAX_BYTES = 20 * 2**20
 MAX_CELLS = 2_000
+#: in its JSON, outputs and metadata included: half a million lines of printed text, for example
+MAX_VALUES = 1_000_000
 MAX_SOURCE = 2**20
 MAX_GRADE_ID = 200
 
@@ -95,8 +97,10 @@ def submitted_cells(data: bytes) -> list[Cell]:
     if not data.strip():
         raise UnreadableError(_EMPTY)
     try:
-        notebook = json.loads(data.decode("utf-8-sig"))
-    except (ValueError, RecursionError):
+        notebook = limited_json(data, MAX_VALUES)
+    except TooManyValuesError:
+        raise UnreadableError(_TOO_LARGE) from None
+    except ValueError:
         raise UnreadableError(_NO_JSON) from None
     cells = notebook.get("cells") if isinstance(notebook, dict) else None
     if not isinstance(cells, list):

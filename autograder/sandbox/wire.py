@@ -13,11 +13,14 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from autograder.sandbox.limited_json import has_more_parts, limited_json
 from course.answers import Interview, Missing, Question, Reply, Trouble
 from course.plain import MAX_DEPTH, Odd, Plain
 
 MAX_JSON = 16 * 2**20
 MAX_ARRAYS = 64 * 2**20
+#: arrays are one each, so that only lists of texts or of other lists come near it
+MAX_VALUES = 1_000_000
 #: what the warm server is told and tells: a few names and numbers
 MAX_CONTROL = 2**16
 _HEADER = struct.Struct(">4sII")
@@ -46,7 +49,7 @@ def send(stream: Stream, message: dict[str, Any]) -> None:
     blobs: list[bytes] = []
     text = json.dumps(_packed(message, blobs)).encode()
     arrays = b"".join(blobs)
-    if len(text) > MAX_JSON or len(arrays) > MAX_ARRAYS:
+    if len(text) > MAX_JSON or len(arrays) > MAX_ARRAYS or has_more_parts(text, MAX_VALUES):
         raise WireError("message too large")
     stream.write(_HEADER.pack(_MAGIC, len(text), len(arrays)) + text + arrays)
     stream.flush()
@@ -58,8 +61,8 @@ def receive(read: Callable[[int], bytes]) -> dict[str, Any]:
     if magic != _MAGIC or text_size > MAX_JSON or arrays_size > MAX_ARRAYS:
         raise WireError("not a frame, or one that is too large")
     try:
-        packed = json.loads(read(text_size))
-    except (ValueError, RecursionError) as error:
+        packed = limited_json(read(text_size), MAX_VALUES)
+    except ValueError as error:
         raise WireError(f"not JSON: {error}") from None
     message = _unpacked(packed, _Arrays(read(arrays_size)), 0)
     if not isinstance(message, dict):

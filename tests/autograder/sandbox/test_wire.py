@@ -2,6 +2,7 @@ import io
 import json
 import math
 import struct
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -9,9 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as npst
 
+from autograder.sandbox import wire
 from autograder.sandbox.wire import (
     MAX_ARRAYS,
     MAX_JSON,
+    MAX_VALUES,
     WireError,
     packed_interview,
     packed_questions,
@@ -199,6 +202,7 @@ MALFORMED = {
     "item is no pair": frame(b'{"@": "dict", "items": [["a"]]}'),
     "key is no text": frame(b'{"@": "dict", "items": [[1, 2]]}'),
     "odd of a number": frame(json.dumps(dictionary(a={"@": "odd", "kind": 1, "type_name": "x"})).encode()),
+    "more values than anybody sends": frame(b'{"@": "dict", "items": [["a", [' + b"0," * MAX_VALUES + b"0]]]}"),
     "endless number": frame(json.dumps(dictionary(a=10**30)).encode()),
     "number too long to read": frame(b'{"@": "dict", "items": [["a", ' + b"9" * 5000 + b"]]}"),
     "array longer than its frame": frame(json.dumps(dictionary(a=array(shape=[2]))).encode(), bytes(8)),
@@ -325,3 +329,68 @@ def test_long_texts_are_shortened():
     ]
     assert [len(text) for text in sizes] == [80, 500, 80, 200, 2000]
     assert [len(text) for text in received.replies[0].warned] == [500] * 5
+
+
+# memory
+
+
+def peak_of(call, *arguments):
+    """The most memory that a call takes, in bytes, and the name of what it raised."""
+    tracemalloc.start()
+    try:
+        call(*arguments)
+        raised = ""
+    except Exception as error:
+        raised = type(error).__name__
+    finally:
+        peak = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+    return peak, raised
+
+
+#: what 16 MB may be filled with: a unit that is repeated
+FILLED = {
+    "lists": "[],",
+    "nested lists": "[[[]]],",
+    "dictionaries": '{"@":"dict","items":[]},',
+    "bare dictionaries": "{},",
+    "arrays": '{"@":"array","dtype":"bool","shape":[0]},',
+    "numbers": "1.5,",
+    "long numbers": "9" * 4000 + ",",
+    "texts": '"\u3042",',
+    "wide texts": f'"{"😀" * 1000}",',
+    "halves of pairs": f'"{chr(92)}ud800",',
+    "one text": "x",
+    "one text of marks": ",[{",
+    "quotes": '"',
+    "backslashes": chr(92),
+    "spaces": " ",
+}
+
+
+@pytest.mark.parametrize("unit", FILLED.values(), ids=FILLED.keys())
+def test_a_message_takes_no_more_than_a_few_times_the_memory_of_its_bytes(unit, monkeypatch):
+    """At a fiftieth of the limits: what takes memory grows with the bytes, and measuring it takes time."""
+    most = MAX_VALUES // 50
+    monkeypatch.setattr(wire, "MAX_VALUES", most)
+    for size in (MAX_JSON // 50, 3 * most):
+        quote = '"' if unit in ("x", ",[{") else ""
+        text = '{"@":"dict","items":[["a",[' + quote + unit * ((size - 50) // len(unit.encode())) + (quote or "0") + "]]]}"
+        peak, raised = peak_of(receive, reader(frame(text.encode())))
+        assert raised in ("", "WireError")
+        # the second is what so many of the smallest values take, packed and unpacked
+        assert peak < 8 * size + 150 * most
+
+
+def test_as_many_values_as_somebody_may_send_are_received():
+    values = [[]] * (MAX_VALUES // 2 - 100)
+    assert len(receive(reader(sent({"a": values})))["a"]) == len(values)
+    with pytest.raises(WireError):
+        sent({"a": [[]] * (MAX_VALUES // 2 + 1)})
+
+
+def test_a_full_frame_of_empty_lists_is_refused_before_any_of_them_is_made():
+    data = frame(b'{"@":"dict","items":[["a",[' + b"[]," * (MAX_JSON // 3 - 20) + b"0]]]}")
+    peak, raised = peak_of(receive, reader(data))
+    assert raised == "WireError"
+    assert peak < 3 * len(data)
