@@ -160,7 +160,9 @@ class Seal:
             self._refuse(refused, "clone", pyseccomp.Arg(0, pyseccomp.MASKED_EQ, flag, flag))
         for family in range(64):
             if family not in _FAMILIES:
-                self._refuse(pyseccomp.ERRNO(errno.EAFNOSUPPORT), "socket", pyseccomp.Arg(0, pyseccomp.EQ, family))
+                # of 32 bits: the kernel does not look at the others either
+                asked = pyseccomp.Arg(0, pyseccomp.MASKED_EQ, 0xFFFFFFFF, family)
+                self._refuse(pyseccomp.ERRNO(errno.EAFNOSUPPORT), "socket", asked)
 
     def close(self) -> None:
         """Put the filter in force for this process and all that come from it."""
