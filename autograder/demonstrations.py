@@ -19,7 +19,7 @@ def names_read_first(source: str) -> frozenset[str]:
     read, bound = set[str](), set[str]()
     for statement in _in_order(ast.parse(source).body):
         table = symtable.symtable(ast.unparse(statement), "cell", "exec")
-        read |= _read(table) - bound
+        read |= (_read(table) | _changed(statement)) - bound
         bound |= bound_names(ast.unparse(statement))
     return frozenset(read)
 
@@ -58,3 +58,13 @@ def _read(table: symtable.SymbolTable) -> set[str]:
     top = table.get_type() == "module"
     own = {s.get_name() for s in table.get_symbols() if s.is_referenced() and (top or s.is_global())}
     return own.union(*map(_read, table.get_children()))
+
+
+def _changed(node: ast.AST) -> set[str]:
+    """Return the names that a statement must find there although it seems only to set them: by += and the like, or by del."""
+    match node:
+        case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef() | ast.Lambda():
+            return set()
+        case ast.AugAssign(target=ast.Name(id=name)) | ast.Name(id=name, ctx=ast.Del()):
+            return {name}
+    return set().union(*map(_changed, ast.iter_child_nodes(node)))
