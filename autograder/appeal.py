@@ -1,6 +1,8 @@
 """An appeal: the cases of a recorded verdict again, with what was expected and what the answer gave."""
 
+import io
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +13,7 @@ from autograder.judging import case_faults, graph_verdict, verdict
 from autograder.receipts import REPLY, Receipt, exercises_hash, read_receipt, submission_folder
 from autograder.reference import exercise_named
 from autograder.sandbox.wire import WireError, receive, unpacked_interview
+from autograder.submissions import hashes
 from course.answers import Interview, Reply
 from course.language import Text
 from course.plain import Plain
@@ -63,27 +66,43 @@ def appeal(root: Path, student: str, assignment: str, exercise: str, full: bool 
     result = rows[exercise]
     if result.seed is None:
         raise AppealError(f"{exercise} was not judged by cases: {result.message or 'a person grades it'}")
-    talk = _recorded(submission_folder(root, assignment, student) / f"{exercise}{REPLY}")
-    tried = receipt.attempts.get(result.notebook, ())
+    folder = submission_folder(root, assignment, student)
+    talk = _recorded(folder / f"{exercise}{REPLY}")
     return Appeal(
         result,
         receipt,
-        len(tried),
+        _attempt(folder, receipt, result.notebook),
         () if isinstance(exercise_named(exercise), GraphExercise) else _cases(exercise, result.seed, talk, full),
         receipt.exercises == exercises_hash(),
         None if talk is None else _today(exercise, result.seed, talk) == (result.score, result.misconception),
     )
 
 
+def _attempt(folder: Path, receipt: Receipt, notebook: str) -> int:
+    """Return which attempt it was that counts: an earlier version may have been handed in again, or one that came too late."""
+    tried = list(receipt.attempts.get(notebook, ()))
+    try:
+        return tried.index(hashes({notebook: (folder / f"{notebook}.ipynb").read_bytes()})[notebook]) + 1
+    except (OSError, ValueError) as error:
+        raise AppealError(f"the notebook that was graded is not the one in {folder} any more: {error}") from None
+
+
 def _recorded(path: Path) -> Interview | None:
     """Return what the answer replied then; None if it was right, and nothing was kept."""
     try:
-        with open(path, "rb") as file:
-            return unpacked_interview(receive(file.read))
+        kept = io.BytesIO(path.read_bytes())
+        return unpacked_interview(receive(partial(_exactly, kept)))
     except FileNotFoundError:
         return None
     except (OSError, WireError) as error:
         raise AppealError(f"{path} cannot be read any more: {error}") from None
+
+
+def _exactly(kept: io.BytesIO, count: int) -> bytes:
+    data = kept.read(count)
+    if len(data) != count:
+        raise WireError("it is cut off")
+    return data
 
 
 def _today(name: str, seed: int, talk: Interview) -> tuple[float, str | None]:
