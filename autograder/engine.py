@@ -3,11 +3,11 @@
 It speaks `concurrent.futures.Executor`, so that the workers may be processes here or in a cluster.
 """
 
-import ctypes
 import itertools
 import multiprocessing
 import os
 import signal
+import threading
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
 from contextlib import AbstractContextManager, contextmanager
@@ -20,7 +20,6 @@ from autograder.reference import exercise_modules
 from autograder.session import Limits
 from course.language import Text
 
-_PR_SET_PDEATHSIG = 1
 MAX_ATTEMPTS = 20
 
 GradedSubmission = tuple[Work, list[GradedNotebook]]
@@ -164,12 +163,16 @@ def dask_pool(address: str) -> Iterator[Pool]:
 
 
 def _end_with_parent() -> None:
-    """Leave Ctrl-C to the parent, and end when it ends, however that happens."""
+    """Leave Ctrl-C to the grader, and end when it ends, however that happens."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
-    parent = multiprocessing.parent_process()
-    if parent is not None and not parent.is_alive():
-        # it ended before it could be told
+    threading.Thread(target=_outlive_nobody, daemon=True).start()
+
+
+def _outlive_nobody() -> None:
+    # the system could only tell of the end of the process that forked us, and that one lives as long as we do
+    grader = multiprocessing.parent_process()
+    if grader is not None:
+        grader.join()
         os._exit(1)
 
 
