@@ -1,20 +1,21 @@
 """A class of six, graded once with nothing in the way, and everything that grading leaves behind: what a disturbed run is compared with."""
 
 import json
+import time
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+import pytest
+
 from autograder import batch
 from autograder.engine import GradedSubmission
 from autograder.grading import GradedNotebook, Work
-from autograder.session import Limits
 from autograder.settings import db_url
-from tests.classroom import ASSIGNMENT, Classroom, solved, untouched, with_answer
+from tests.classroom import Classroom, solved, untouched, with_answer
+from tests.crash.program import LIMITS
 
-#: the loop ends soon, and honest answers have time enough on a machine that does other things as well
-LIMITS = Limits(cell=20.0, check=3.0, notebook=90.0, grace=5.0)
 _ALONG_X = "def pose_step(pose, D, dtheta):\n    x, y, theta = pose\n    return np.array([x + D, y, theta + dtheta])"
 # not where the notebook itself calls it: that would take the time of a whole cell
 _LOOPS = "def displacement(V, omega, dt):\n    while V < 0:\n        pass\n    return np.array([V * dt, 0.0, omega * dt])"
@@ -144,10 +145,6 @@ class Undisturbed(NamedTuple):
 
 def graded_undisturbed(folder: Path) -> Undisturbed:
     """Grade the class once."""
-    import time
-
-    from pytest import MonkeyPatch
-
     classroom, recorded, graded = new_class(folder), {}, batch.graded
 
     def recording(works: Iterable[Work], open_pool: object) -> Iterator[GradedSubmission]:
@@ -156,7 +153,7 @@ def graded_undisturbed(folder: Path) -> Undisturbed:
             yield work, notebooks
 
     began = time.monotonic()
-    with MonkeyPatch.context() as patch:
+    with pytest.MonkeyPatch.context() as patch:
         patch.setattr(batch, "graded", recording)
         classroom.grade(limits=LIMITS, workers=2)
     seconds = time.monotonic() - began
@@ -165,5 +162,3 @@ def graded_undisturbed(folder: Path) -> Undisturbed:
     secret = (folder / ".autograder/secret").read_bytes()
     return Undisturbed(folder, secret, state(folder), recorded, messages, seconds)
 
-
-__all__ = ["ASSIGNMENT", "LIMITS", "TOTALS", "State", "Undisturbed", "graded_undisturbed", "new_class", "state"]
