@@ -16,6 +16,7 @@ from autograder.late import LatePenalties
 from autograder.receipts import CannotWriteError
 from autograder.registering import RegistrationError, register
 from autograder.settings import course_id, db_url
+from autograder.standing import said_plainly
 
 
 class GradebookWriter:
@@ -87,17 +88,11 @@ class GradebookWriter:
 @contextmanager
 def _written_or_said() -> Iterator[None]:
     """Say in plain words why the database did not take something."""
-    from sqlalchemy.exc import OperationalError
-
     try:
-        yield
-    except (OperationalError, RegistrationError) as error:
-        if isinstance(error, RegistrationError):
-            raise CannotWriteError(str(error)) from error
-        raise CannotWriteError(
-            f"the gradebook cannot be written: {error.orig}. If it is locked, another program has it open for writing: close that. "
-            "What was graded so far is kept; type the same command again for the rest."
-        ) from error
+        with said_plainly("written"):
+            yield
+    except RegistrationError as error:
+        raise CannotWriteError(str(error)) from error
 
 
 def given_scores(
