@@ -114,7 +114,7 @@ def given_scores(
 
 
 def open_gradebook(root: Path) -> Any:
-    """Return an open nbgrader.api.Gradebook of the course."""
+    """Return an open nbgrader.api.Gradebook of the course; one that was begun and not finished is finished."""
     with _quick_import():
         from nbgrader.api import Gradebook
 
@@ -123,7 +123,39 @@ def open_gradebook(root: Path) -> Any:
     path = os.environ.get("PATH", os.defpath)
     if programs not in path.split(os.pathsep):
         os.environ["PATH"] = f"{programs}{os.pathsep}{path}"
-    return Gradebook(db_url(root), course_id=course_id(root))
+    url = db_url(root)
+    begun = _begun_only(url)
+    gradebook = Gradebook(url, course_id=course_id(root))
+    if begun:
+        _enter_version(gradebook)
+    return gradebook
+
+
+def _begun_only(url: str) -> bool:
+    """Return whether there are tables and nothing in them: perhaps the program was ended while it made them.
+
+    nbgrader would never enter the version of those, and without it cannot upgrade them.
+    """
+    from sqlalchemy import create_engine, inspect, text
+
+    engine = create_engine(url)
+    try:
+        with engine.connect() as connection:
+            tables = inspect(connection).get_table_names()
+            # one that is in use is none of ours to finish: it may be from before there were versions
+            return bool(tables) and not ("assignment" in tables and connection.scalar(text("SELECT count(*) FROM assignment")))
+    finally:
+        engine.dispose()
+
+
+def _enter_version(gradebook: Any) -> None:
+    from nbgrader.api import get_alembic_version
+    from sqlalchemy import text
+
+    gradebook.db.execute(text("CREATE TABLE IF NOT EXISTS alembic_version (version_num VARCHAR(32) NOT NULL)"))
+    if not gradebook.db.scalar(text("SELECT count(*) FROM alembic_version")):
+        gradebook.db.execute(text("INSERT INTO alembic_version (version_num) VALUES (:version)"), {"version": get_alembic_version()})
+    gradebook.db.commit()
 
 
 @contextmanager
