@@ -14,6 +14,7 @@ from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from autograder.cgroups import remove_leftovers
 from autograder.grading import GradedNotebook, Work, graded_from_plain, graded_plainly, plain_work, refused_submission
 from autograder.receipts import exercises_hash
 from autograder.reference import exercise_modules
@@ -138,8 +139,12 @@ def local_pool(workers: int) -> Iterator[Pool]:
         pool.shutdown(wait=False, cancel_futures=True)
         for process in set(multiprocessing.active_children()) - before:
             process.kill()
+            process.join()
         raise
-    pool.shutdown()
+    else:
+        pool.shutdown()
+    finally:
+        remove_leftovers()
 
 
 @contextmanager
