@@ -1,6 +1,7 @@
 """The command line: `autograder --help` lists what there is."""
 
 import json
+import signal
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -200,6 +201,7 @@ def grade_class(root: Path, assignment: str, options: Options) -> list[Result]:
         SpinnerColumn(), TextColumn("grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"),
         console=console,
     )  # fmt: skip
+    _stop_as_with_ctrl_c()
     try:
         with bar:
             task = bar.add_task("")
@@ -213,6 +215,18 @@ def grade_class(root: Path, assignment: str, options: Options) -> list[Result]:
         _fail(str(error))
     except KeyboardInterrupt:
         _fail("Stopped. What was graded so far is in the gradebook; type the same command again for the rest.")
+
+
+def _stop_as_with_ctrl_c() -> None:
+    """Come to an orderly end when the system or a closed terminal says so, too."""
+
+    def stop(*_: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    for name in (signal.SIGTERM, signal.SIGHUP):
+        # under nohup the terminal may close
+        if signal.getsignal(name) == signal.SIG_DFL:
+            signal.signal(name, stop)
 
 
 def write_json(path: Path, results: list[Result]) -> None:
