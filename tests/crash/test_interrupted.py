@@ -14,12 +14,12 @@ from pathlib import Path
 
 import pytest
 
-from autograder import batch, settings
+from autograder import batch, receipts, settings
 from autograder.batch import BatchError
 from tests.classroom import Classroom
 from tests.crash.grader import ROOT, Grader, command, grade_to_the_end, groups_of, parent_of, until
 from tests.crash.program import LIMITS
-from tests.small_class import TOTALS, Undisturbed, new_class, state
+from tests.small_class import TOTALS, Undisturbed, new_class, put_secret, state
 
 pytestmark = pytest.mark.sandbox
 
@@ -45,10 +45,10 @@ def replayed(undisturbed, monkeypatch) -> list[str]:
 
 
 @pytest.fixture
-def graded_class(classroom, replayed) -> Classroom:
-    classroom.grade(limits=LIMITS)
-    replayed.clear()
-    return classroom
+def graded_class(undisturbed, tmp_path, replayed) -> Classroom:
+    """A copy of the class that was graded undisturbed; nothing runs from here on."""
+    shutil.copytree(undisturbed.root, tmp_path / "course", symlinks=True)
+    return Classroom.at(tmp_path / "course")
 
 
 def done(root: Path) -> list[str]:
@@ -213,23 +213,19 @@ def small_disk(tmp_path):
 @pytest.mark.usefixtures("replayed")
 @pytest.mark.parametrize("room", [0, 8, 100, 500, 700, 900])
 def test_a_full_disk_is_said_and_grading_goes_on_when_there_is_room(undisturbed, small_disk, tmp_path, room):
-    root = new_class(small_disk / "course").root
-    shutil.rmtree(root / "release")
-    (root / "release").symlink_to(ROOT / "release")
+    classroom = new_class(small_disk / "course")
+    root = classroom.root
     if room:
-        (root / ".autograder").mkdir(mode=0o700)
-        (root / ".autograder/secret").write_bytes(undisturbed.secret)
+        put_secret(root, undisturbed.secret)
     fill(small_disk / "filler", room)
-    classroom = Classroom.__new__(Classroom)
-    classroom.root = root
     with pytest.raises(BatchError, match=r"No space left|disk is full|disk I/O error"):
         classroom.grade(limits=LIMITS)
     if (root / "gradebook.db").exists():
         assert_same(root, undisturbed, done(root))
     (small_disk / "filler").unlink()
     if not room:
-        (root / ".autograder").mkdir(mode=0o700, exist_ok=True)
-        (root / ".autograder/secret").write_bytes(undisturbed.secret)
+        # no secret came to be: that of the undisturbed run has its place
+        put_secret(root, undisturbed.secret)
     classroom.grade(limits=LIMITS)
     assert_same(root, undisturbed)
     assert not [path for path in root.rglob(".new-*")]
@@ -293,7 +289,14 @@ def shortened(share: float):
 
 
 def changed(**values):
-    return lambda content: json.dumps({**json.loads(content), **values}).encode()
+    """One that is as if it had been written so."""
+
+    def written_so(content):
+        data = {**json.loads(content), **values}
+        del data["digest"]
+        return json.dumps(data | {"digest": receipts._digest(data)}).encode()
+
+    return written_so
 
 
 DAMAGE = {
@@ -308,20 +311,18 @@ DAMAGE = {
     "one field more": changed(more=1),
     "another version": changed(version=0),
     "another student's": changed(student="written"),
-    "no results": changed(results=None),
-    "results without fields": changed(results=[{"score": 1.0}]),
-    "results that are none": changed(results=["", ""]),
-    "attempts that are none": changed(attempts=7),
-    "attempts of nothing": changed(attempts={"pose_update": None}),
-    "notebooks that are none": changed(notebooks=None),
-    "languages that are none": changed(languages=3),
+    "another score": lambda content: content.replace(b'"score": 5.0', b'"score": 4.0'),
+    "another hash": lambda content: content.replace(b'"pose_update": ["', b'"pose_update": ["0'),
+    "attempts that are none": lambda content: content.replace(b'"attempts": {', b'"attempts": 7, "was": {'),
 }
 
 
 @pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE.keys())
 def test_a_damaged_receipt_is_none_and_only_its_submission_is_graded_again(undisturbed, graded_class, replayed, damage):
     path = graded_class.root / ".autograder/receipts/odometry/partly/receipt.json"
-    path.write_bytes(damage(path.read_bytes()))
+    content = path.read_bytes()
+    path.write_bytes(damage(content))
+    assert path.read_bytes() != content
     graded_class.grade(limits=LIMITS)
     assert replayed == ["partly"]
     assert_same(graded_class.root, undisturbed)
