@@ -5,7 +5,7 @@ BIN := .venv/bin
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 export MPLBACKEND ?= Agg
 
-.PHONY: help demo test quick lab build data environment bench lint sandbox chromium clean
+.PHONY: help demo test quick lab build data environment bench lint sandbox chromium postgresql clean
 
 help:            ## what there is to type
 	@grep -E '^[a-z]+:.*##' Makefile | sed -E 's/:.*##/\t/'
@@ -13,7 +13,7 @@ help:            ## what there is to type
 demo: .venv/.ready sandbox    ## make a sample class, grade it, compare with what each should get
 	$(BIN)/autograder demo
 
-test: .venv/.ready sandbox chromium    ## all tests, the slow ones and the browser included
+test: .venv/.ready sandbox chromium postgresql    ## all tests, the slow ones and the browser included
 	$(BIN)/pytest -n 2 --dist loadgroup
 
 quick: .venv/.ready sandbox    ## the tests without long sweeps and without a browser
@@ -55,6 +55,9 @@ sandbox:
 
 chromium:
 	@command -v chromium >/dev/null || { $(call apt,chromium) } || echo "No Chromium, so the browser tests are left out; to have them type: sudo apt-get install chromium"
+
+postgresql:
+	@ls /usr/lib/postgresql/*/bin/initdb >/dev/null 2>&1 || { $(call apt,postgresql) } || echo "No PostgreSQL, so its tests are left out; to have them type: sudo apt-get install postgresql"
 
 # installs a Debian package if this user may, silently; fails otherwise
 apt = (test "$$(id -u)" = 0 && apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq $(1) >/dev/null 2>&1) || (command -v sudo >/dev/null && sudo -n true 2>/dev/null && sudo -n apt-get update -qq && sudo -n apt-get install -y -qq $(1) >/dev/null 2>&1);

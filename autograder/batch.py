@@ -5,6 +5,7 @@ A submission is done when its receipt is written; that comes last. So a run that
 
 import contextlib
 import fcntl
+import os
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
@@ -202,7 +203,7 @@ class _Batch:
         return (
             standing is not None
             and all(standing.get(_graded_cell(row), _ABSENT) == row.score for row in map(result_from_row, receipt.results))
-            and all((folder / f"{name}.ipynb").is_file() for name in receipt.notebooks)
+            and all(_is_whole(folder / f"{name}.ipynb") for name in receipt.notebooks)
         )
 
     def _write(self, begun: _Begun, notebooks: list[GradedNotebook]) -> None:
@@ -235,6 +236,16 @@ class _Batch:
         return partial(local_pool, min(self._options.workers or _processors(), submissions))
 
 
+def _is_whole(path: Path) -> bool:
+    """Return whether a notebook is there to its end, at which stands a brace: a disk that lost power may have lost it."""
+    try:
+        with path.open("rb") as file:
+            file.seek(-16, os.SEEK_END)
+            return file.read().rstrip().endswith(b"}")
+    except OSError:
+        return False
+
+
 def _graded_cell(result: Result) -> str:
     """Return the name of the cell on which the points of a result hang."""
     written = result.exercise not in NOTEBOOKS[f"{result.assignment}/{result.notebook}"]
@@ -248,8 +259,6 @@ def _joined(first: Work, rest: Iterator[Work]) -> Iterator[Work]:
 
 def _processors() -> int:
     """Return how many processors this process may use."""
-    import os
-
     return len(os.sched_getaffinity(0))
 
 

@@ -3,6 +3,7 @@
 Where it does not, the limits of each process and the watch over their memory (autograder.session) have to do.
 """
 
+import contextlib
 import itertools
 import os
 import time
@@ -10,6 +11,7 @@ from pathlib import Path
 
 _MEMORY_MB, _PROCESSES = 4096, 256
 _PATIENCE = 100
+_PREFIX = "autograder-"
 _numbers = itertools.count(1)
 
 
@@ -22,7 +24,8 @@ class ControlGroup:
     @classmethod
     def made(cls, mount: Path = Path("/sys/fs/cgroup"), membership: Path = Path("/proc/self/cgroup")) -> "ControlGroup | None":
         """Make a group with its limits set, or return None where that is not ours to do."""
-        name = f"autograder-{os.getpid()}-{next(_numbers)}"
+        remove_leftovers(mount, membership)
+        name = f"{_PREFIX}{os.getpid()}-{next(_numbers)}"
         made: list[Path] = []
         try:
             for parent, limits in _places(mount, membership):
@@ -56,6 +59,18 @@ class ControlGroup:
                     time.sleep(0.02)
                 else:
                     break
+
+
+def remove_leftovers(mount: Path = Path("/sys/fs/cgroup"), membership: Path = Path("/proc/self/cgroup")) -> None:
+    """Remove the groups of processes that were killed before they could do it."""
+    # none that is in use lets itself be removed, and there may be no groups at all
+    with contextlib.suppress(OSError):
+        for parent, _ in _places(mount, membership):
+            for folder in parent.glob(f"{_PREFIX}*-*"):
+                maker = folder.name.removeprefix(_PREFIX).partition("-")[0]
+                if not Path("/proc", maker).exists():
+                    with contextlib.suppress(OSError):
+                        folder.rmdir()
 
 
 def _places(mount: Path, membership: Path) -> list[tuple[Path, dict[str, int]]]:

@@ -1,6 +1,7 @@
 """The command line: `autograder --help` lists what there is."""
 
 import json
+import signal
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -207,6 +208,7 @@ def grade_class(root: Path, assignment: str, options: Options) -> list[Result]:
         bar.start()
         bar.update(task, completed=done, total=count, description=escape(student[:30]))
 
+    _stop_as_with_ctrl_c()
     try:
         return graded_class(root, assignment, options, on_progress)
     except BatchError as error:
@@ -215,6 +217,18 @@ def grade_class(root: Path, assignment: str, options: Options) -> list[Result]:
         _fail("Stopped. What was graded so far is in the gradebook; type the same command again for the rest.")
     finally:
         bar.stop()
+
+
+def _stop_as_with_ctrl_c() -> None:
+    """Come to an orderly end when the system or a closed terminal says so, too."""
+
+    def stop(*_: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    for name in (signal.SIGTERM, signal.SIGHUP):
+        # under nohup the terminal may close
+        if signal.getsignal(name) == signal.SIG_DFL:
+            signal.signal(name, stop)
 
 
 def write_json(path: Path, results: list[Result]) -> None:

@@ -3,24 +3,24 @@
 It speaks `concurrent.futures.Executor`, so that the workers may be processes here or in a cluster.
 """
 
-import ctypes
 import itertools
 import multiprocessing
 import os
 import signal
+import threading
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from autograder.cgroups import remove_leftovers
 from autograder.grading import GradedNotebook, Work, graded_from_plain, graded_plainly, plain_work, refused_submission
 from autograder.receipts import exercises_hash
 from autograder.reference import exercise_modules
 from autograder.session import Limits
 from course.language import Text
 
-_PR_SET_PDEATHSIG = 1
 MAX_ATTEMPTS = 20
 
 GradedSubmission = tuple[Work, list[GradedNotebook]]
@@ -139,8 +139,12 @@ def local_pool(workers: int) -> Iterator[Pool]:
         pool.shutdown(wait=False, cancel_futures=True)
         for process in set(multiprocessing.active_children()) - before:
             process.kill()
+            process.join()
         raise
-    pool.shutdown()
+    else:
+        pool.shutdown()
+    finally:
+        remove_leftovers()
 
 
 @contextmanager
@@ -164,12 +168,16 @@ def dask_pool(address: str) -> Iterator[Pool]:
 
 
 def _end_with_parent() -> None:
-    """Leave Ctrl-C to the parent, and end when it ends, however that happens."""
+    """Leave Ctrl-C to the grader, and end when it ends, however that happens."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
-    parent = multiprocessing.parent_process()
-    if parent is not None and not parent.is_alive():
-        # it ended before it could be told
+    threading.Thread(target=_outlive_nobody, daemon=True).start()
+
+
+def _outlive_nobody() -> None:
+    # the system could only tell of the end of the process that forked us, and that one lives as long as we do
+    grader = multiprocessing.parent_process()
+    if grader is not None:
+        grader.join()
         os._exit(1)
 
 

@@ -16,6 +16,7 @@ from autograder.late import LatePenalties
 from autograder.receipts import CannotWriteError
 from autograder.registering import RegistrationError, register
 from autograder.settings import course_id, db_url
+from autograder.standing import said_plainly
 
 
 class GradebookWriter:
@@ -87,17 +88,11 @@ class GradebookWriter:
 @contextmanager
 def _written_or_said() -> Iterator[None]:
     """Say in plain words why the database did not take something."""
-    from sqlalchemy.exc import OperationalError
-
     try:
-        yield
-    except (OperationalError, RegistrationError) as error:
-        if isinstance(error, RegistrationError):
-            raise CannotWriteError(str(error)) from error
-        raise CannotWriteError(
-            f"the gradebook cannot be written: {error.orig}. If it is locked, another program has it open for writing: close that. "
-            "What was graded so far is kept; type the same command again for the rest."
-        ) from error
+        with said_plainly("written"):
+            yield
+    except RegistrationError as error:
+        raise CannotWriteError(str(error)) from error
 
 
 def given_scores(
@@ -119,7 +114,7 @@ def given_scores(
 
 
 def open_gradebook(root: Path) -> Any:
-    """Return an open nbgrader.api.Gradebook of the course."""
+    """Return an open nbgrader.api.Gradebook of the course; one that was begun and not finished is finished."""
     with _quick_import():
         from nbgrader.api import Gradebook
 
@@ -128,7 +123,41 @@ def open_gradebook(root: Path) -> Any:
     path = os.environ.get("PATH", os.defpath)
     if programs not in path.split(os.pathsep):
         os.environ["PATH"] = f"{programs}{os.pathsep}{path}"
-    return Gradebook(db_url(root), course_id=course_id(root))
+    url = db_url(root)
+    begun = _begun_only(url)
+    gradebook = Gradebook(url, course_id=course_id(root))
+    if begun:
+        _enter_version(gradebook)
+    return gradebook
+
+
+def _begun_only(url: str) -> bool:
+    """Return whether there are tables and nothing in them: perhaps the program was ended while it made them.
+
+    nbgrader would never enter the version of those, and without it cannot upgrade them.
+    """
+    from sqlalchemy import create_engine, inspect, text
+
+    engine = create_engine(url)
+    try:
+        with engine.connect() as connection:
+            tables = inspect(connection).get_table_names()
+            # one that is in use is none of ours to finish: it may be from before there were versions
+            return bool(tables) and not ("assignment" in tables and connection.scalar(text("SELECT count(*) FROM assignment")))
+    finally:
+        engine.dispose()
+
+
+def _enter_version(gradebook: Any) -> None:
+    from nbgrader.api import get_alembic_version
+    from sqlalchemy import text
+
+    gradebook.db.execute(text("CREATE TABLE IF NOT EXISTS alembic_version (version_num VARCHAR(32) NOT NULL)"))
+    if not gradebook.db.scalar(text("SELECT count(*) FROM alembic_version")):
+        gradebook.db.execute(
+            text("INSERT INTO alembic_version (version_num) VALUES (:version)"), {"version": get_alembic_version()}
+        )
+    gradebook.db.commit()
 
 
 @contextmanager

@@ -71,12 +71,13 @@ def read_receipt(root: Path, assignment: str, student: str) -> Receipt | None:
     """Return the receipt of a submission; None if there is none, or none that can be believed."""
     try:
         data = json.loads((submission_folder(root, assignment, student) / "receipt.json").read_bytes())
+        if data.pop("digest") != _digest(data):
+            return None
         receipt = Receipt(**data)
-        believed = receipt.version == _VERSION and (receipt.student, receipt.assignment) == (student, assignment)
-        sound = all(isinstance(row["score"], float | int | None) for row in receipt.results)
-    except (OSError, ValueError, TypeError, LookupError):
+    except (OSError, ValueError, TypeError, LookupError, AttributeError):
         return None
-    return receipt if believed and sound else None
+    believed = receipt.version == _VERSION and (receipt.student, receipt.assignment) == (student, assignment)
+    return receipt if believed else None
 
 
 def write_receipt(root: Path, receipt: Receipt, notebooks: Mapping[str, bytes], replies: Mapping[str, bytes]) -> None:
@@ -87,12 +88,17 @@ def write_receipt(root: Path, receipt: Receipt, notebooks: Mapping[str, bytes], 
     kept |= {f"{exercise}{REPLY}": content for exercise, content in replies.items()}
     for name, content in kept.items():
         replace_file(folder / name, content, mode=0o600)
-    text = json.dumps({entry.name: getattr(receipt, entry.name) for entry in fields(receipt)})
-    replace_file(folder / "receipt.json", text.encode(), mode=0o600)
+    data = {entry.name: getattr(receipt, entry.name) for entry in fields(receipt)}
+    replace_file(folder / "receipt.json", json.dumps(data | {"digest": _digest(data)}).encode(), mode=0o600)
     for row in receipt.results:
         # of a notebook that was graded anew; the others keep what there was
         if row["notebook"] in notebooks and row["exercise"] not in replies:
             (folder / f"{row['exercise']}{REPLY}").unlink(missing_ok=True)
+
+
+def _digest(data: Mapping[str, Any]) -> str:
+    """Return what shows that a receipt is as it was written: damage may leave it readable."""
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
 
 
 def release_hash(release: Mapping[tuple[str, str], bytes]) -> str:

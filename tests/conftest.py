@@ -1,10 +1,14 @@
-"""What all tests share: the root of the course, and what to do where bubblewrap or Chromium is missing."""
+"""What all tests share: the root of the course, and what to do where bubblewrap, Chromium or PostgreSQL is missing."""
 
 import os
 import shutil
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
+
+if TYPE_CHECKING:
+    from tests.small_class import Undisturbed
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -15,7 +19,17 @@ def root() -> Path:
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
-    for marker, program in (("sandbox", "bwrap"), ("browser", "chromium")):
-        if item.get_closest_marker(marker) and shutil.which(program) is None:
+    # Debian keeps the programs of the PostgreSQL server off PATH
+    servers = os.pathsep.join([os.environ["PATH"], *map(str, Path("/usr/lib/postgresql").glob("*/bin"))])
+    for marker, program in (("sandbox", "bwrap"), ("browser", "chromium"), ("postgresql", "initdb")):
+        if item.get_closest_marker(marker) and shutil.which(program, path=servers) is None:
             # in CI nothing is left out
             (pytest.fail if os.environ.get("CI") else pytest.skip)(f"{program} is not installed")
+
+
+@pytest.fixture(scope="session")
+def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> "Undisturbed":
+    """A small class that was graded with nothing in the way: see tests/small_class.py."""
+    from tests.small_class import graded_undisturbed
+
+    return graded_undisturbed(tmp_path_factory.mktemp("undisturbed") / "course")

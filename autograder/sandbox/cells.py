@@ -304,6 +304,8 @@ class Cells:
 
     def _without_magics(self, source: str) -> str:
         """Return a cell as Python reads it, so that what it defines can be looked up."""
+        if not any(mark in source for mark in "%!?"):
+            return source
         try:
             return str(self._shell.transform_cell(source))
         except Exception:  # it will not run either
