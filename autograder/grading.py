@@ -212,7 +212,7 @@ class _Run:
             talks.append(session.ask(name, questions))
             return talks[-1]
 
-        verdict = judged(exercise_named(name), ask, self._work.seeds.get(name))
+        verdict = judged(exercise_named(name), ask, self._work.seeds.get(name), apart=True)
         self.verdicts[name] = verdict
         if not verdict.passed and talks:
             self.replies[name] = reply_bytes(talks[-1])

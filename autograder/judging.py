@@ -18,7 +18,7 @@ from course.figures import is_summary
 from course.ladder import Answered, Fault, call_fault, entry_fault, names_of_wrong
 from course.language import Text
 from course.plain import Odd, Plain, numeric
-from course.undisturbed import undisturbed
+from course.undisturbed import calm, undisturbed
 from course.verdict import Verdict
 
 #: puts questions to an answer, wherever it lives, and brings back plain data
@@ -38,17 +38,18 @@ def judged_by_name(name: str, ask: Ask, seed: int | None = None) -> Verdict:
     return judged(exercise_named(name), ask, seed)
 
 
-def judged(exercise: Exercise | GraphExercise, ask: Ask, seed: int | None = None) -> Verdict:
-    """Judge whatever `ask` reaches as `exercise`."""
+def judged(exercise: Exercise | GraphExercise, ask: Ask, seed: int | None = None, apart: bool = False) -> Verdict:
+    """Judge whatever `ask` reaches as `exercise`; `apart` if that is never in this process."""
+    quietly = calm if apart else undisturbed
     seed = secrets.randbits(63) if seed is None else seed
     if isinstance(exercise, GraphExercise):
         talk = ask(())
-        with undisturbed():
+        with quietly():
             return graph_verdict(exercise, talk, seed)
-    with undisturbed():
+    with quietly():
         drawn = trial(exercise, seed)
     talk = ask(drawn.questions)
-    with undisturbed():
+    with quietly():
         return verdict(exercise, drawn, talk, seed)
 
 

@@ -87,7 +87,7 @@ class Session:
         request = {"do": "ask", "name": name, "questions": packed, "seconds": self._limits.check}
         reply = self._asked(request, self._limits.check)
         try:
-            return unpacked_interview(reply.get("interview"))
+            return unpacked_interview(reply.get("interview"), questions)
         except WireError:
             raise SessionEndedError(_MALFORMED) from None
 

@@ -74,7 +74,7 @@ def call_fault(answered: Answered, question: Question, expected: Plain, reply: R
     """Return the fault of one call, or None if the reply is right."""
     if reply.trouble is not None:
         return Fault("runs", explained_trouble(answered.name, reply.trouble))
-    if not all(map(identical, question.args, reply.inputs)) or len(question.args) != len(reply.inputs):
+    if reply.inputs is not question.args and not _same_inputs(question.args, reply.inputs):
         return Fault("inputs", _changed_inputs(answered, question, reply), harmless=True)
     form = _form_fault(expected, reply)
     if form is not None:
@@ -88,6 +88,10 @@ def call_fault(answered: Answered, question: Question, expected: Plain, reply: R
     if answered.warnings_are_faults and reply.warned:
         return Fault("runs", _WARNED.format(name=answered.name, warning=shown(reply.warned[0])), harmless=True)
     return None
+
+
+def _same_inputs(asked: Sequence[Plain], after: Sequence[Plain]) -> bool:
+    return len(asked) == len(after) and all(map(identical, asked, after))
 
 
 def stands_for_truth(expected: Plain) -> bool:

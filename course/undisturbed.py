@@ -38,6 +38,13 @@ class _Originals:
 @contextlib.contextmanager
 def undisturbed() -> Iterator[None]:
     """Judge with Python and NumPy as they were imported, with no warning and no floating-point error raised."""
-    with _Originals(), warnings.catch_warnings(), np.errstate(all="ignore"):
+    with _Originals(), calm():
+        yield
+
+
+@contextlib.contextmanager
+def calm() -> Iterator[None]:
+    """Judge with no warning and no floating-point error raised: enough where no notebook runs in this process."""
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         yield

@@ -51,4 +51,4 @@ def _answer(cells: Cells, request: dict[str, Any]) -> dict[str, Any]:
     if missing is not None:
         return {"interview": packed_interview(Interview(missing=missing))}
     questions = unpacked_questions(request["questions"])
-    return {"interview": packed_interview(interview(answer, questions, request["seconds"]))}
+    return {"interview": packed_interview(interview(answer, questions, request["seconds"]), questions)}

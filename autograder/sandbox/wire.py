@@ -7,15 +7,16 @@ it; anything unexpected raises `WireError`, and the other side is not believed a
 import json
 import math
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
+from itertools import zip_longest
 from typing import Any, Protocol
 
 import numpy as np
 
 from autograder.sandbox.limited_json import has_more_parts, limited_json
 from course.answers import Interview, Missing, Question, Reply, Trouble
-from course.plain import MAX_DEPTH, Odd, Plain
+from course.plain import MAX_DEPTH, Odd, Plain, identical
 
 MAX_JSON = 16 * 2**20
 MAX_ARRAYS = 64 * 2**20
@@ -150,8 +151,12 @@ def unpacked_questions(data: list[dict[str, Plain]]) -> tuple[Question, ...]:
     return tuple(Question(tuple(item["args"]), item["symbols"]) for item in data)
 
 
-def packed_interview(talk: Interview) -> dict[str, Plain]:
-    """Return an interview as plain data."""
+def packed_interview(talk: Interview, questions: Sequence[Question] = ()) -> dict[str, Plain]:
+    """Return an interview as plain data.
+
+    Inputs that stand as they were asked in `questions` are left out: whoever unpacks it with the same questions knows them.
+    """
+    asked = [*questions, *[None] * len(talk.replies)]
     return {
         "missing": None if talk.missing is None else asdict(talk.missing),
         "kind": talk.kind,
@@ -161,24 +166,28 @@ def packed_interview(talk: Interview) -> dict[str, Plain]:
             {
                 "value": reply.value,
                 "trouble": None if reply.trouble is None else asdict(reply.trouble),
-                "inputs": list(reply.inputs),
+                "inputs": None if question is not None and _unchanged(question, reply) else list(reply.inputs),
                 "printed": reply.printed,
                 "warned": list(reply.warned),
             }
-            for reply in talk.replies
+            for question, reply in zip(asked, talk.replies, strict=False)
         ],
     }
 
 
-def unpacked_interview(data: Plain) -> Interview:
-    """Return the interview in a message from the sandbox; WireError if it is not one."""
+def _unchanged(question: Question, reply: Reply) -> bool:
+    return len(question.args) == len(reply.inputs) and all(map(identical, question.args, reply.inputs))
+
+
+def unpacked_interview(data: Plain, questions: Sequence[Question] = ()) -> Interview:
+    """Return the interview in a message from the sandbox, which was asked `questions`; WireError if it is not one."""
     match data:
         case {"missing": missing, "kind": str(kind), "mismatch": mismatch, "figure": figure, "replies": list(replies)}:
             return Interview(
                 missing=_missing(missing),
                 kind=kind[:80],
                 mismatch=_mismatch(mismatch),
-                replies=tuple(map(_reply, replies)),
+                replies=tuple(_reply(reply, question) for reply, question in zip_longest(replies, questions[: len(replies)])),
                 figure=_figure(figure),
             )
     raise WireError("not an interview")
@@ -231,9 +240,17 @@ def _trouble(data: Plain) -> Trouble | None:
     raise WireError("not a trouble")
 
 
-def _reply(data: Plain) -> Reply:
+def _reply(data: Plain, question: Question | None) -> Reply:
     match data:
-        case {"value": value, "trouble": trouble, "inputs": list(inputs), "printed": str(printed), "warned": list(warned)}:
+        case {"value": value, "trouble": trouble, "inputs": inputs, "printed": str(printed), "warned": list(warned)}:
             texts = tuple(text[:500] for text in warned[:5] if isinstance(text, str))
-            return Reply(value, _trouble(trouble), tuple(inputs), printed[:2000], texts)
+            return Reply(value, _trouble(trouble), _inputs(inputs, question), printed[:2000], texts)
     raise WireError("not a reply")
+
+
+def _inputs(data: Plain, question: Question | None) -> tuple[Plain, ...]:
+    if isinstance(data, list):
+        return tuple(data)
+    if data is None and question is not None:
+        return question.args
+    raise WireError("no inputs")

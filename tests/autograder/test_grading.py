@@ -341,7 +341,7 @@ def test_no_message_hides_anything_whoever_wrote_it(grade, answered, monkeypatch
     hidden = Text("x\x1b\u202e\ud800", "あ\0")
     monkeypatch.setattr(grading, "Session", Played)
     monkeypatch.setattr(Played, "outputs", [], raising=False)
-    monkeypatch.setattr(grading, "judged", lambda exercise, ask, seed: Verdict(exercise.name, 0.0, hidden, rung="value"))
+    monkeypatch.setattr(grading, "judged", lambda exercise, ask, seed, apart: Verdict(exercise.name, 0.0, hidden, rung="value"))
     for language, seen in (("en", "x\\u001b\\u202e\\ud800"), ("ja", "あ\\u0000")):
         results, graded = grade(pose_update=answered("pose_update", language))
         assert results["pose_step"].message == seen
