@@ -4,6 +4,7 @@ Where it does not, the limits of each process and the watch over their memory (a
 """
 
 import contextlib
+import errno
 import itertools
 import os
 import time
@@ -55,7 +56,9 @@ class ControlGroup:
                     folder.rmdir()
                 except FileNotFoundError:
                     break
-                except OSError:
+                except OSError as error:
+                    if error.errno != errno.EBUSY:
+                        break
                     time.sleep(0.02)
                 else:
                     break
@@ -63,14 +66,13 @@ class ControlGroup:
 
 def remove_leftovers(mount: Path = Path("/sys/fs/cgroup"), membership: Path = Path("/proc/self/cgroup")) -> None:
     """Remove the groups of processes that were killed before they could do it."""
-    # none that is in use lets itself be removed, and there may be no groups at all
+    # there may be no groups at all
     with contextlib.suppress(OSError):
         for parent, _ in _places(mount, membership):
             for folder in parent.glob(f"{_PREFIX}*-*"):
                 maker = folder.name.removeprefix(_PREFIX).partition("-")[0]
                 if not Path("/proc", maker).exists():
-                    with contextlib.suppress(OSError):
-                        folder.rmdir()
+                    ControlGroup([folder]).remove()
 
 
 def _places(mount: Path, membership: Path) -> list[tuple[Path, dict[str, int]]]:
