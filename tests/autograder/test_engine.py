@@ -180,7 +180,7 @@ class BreaksWhenIdle(AtOnce):
         return super().submit(call, work)
 
 
-@pytest.mark.parametrize("first_death", [None, "s2", "s4"])
+@pytest.mark.parametrize("first_death", [None, "s0", "s2"])
 def test_a_worker_that_dies_while_nothing_waits_for_it_costs_nobody_a_try(plainly, monkeypatch, first_death):
     """Before the class is through, or while those are tried alone who were under way when a worker died before."""
     monkeypatch.setattr(BreaksWhenIdle, "broke", first_death is not None)
