@@ -7,11 +7,12 @@ import contextlib
 import errno
 import itertools
 import os
+import signal
 import time
 from pathlib import Path
 
 _MEMORY_MB, _PROCESSES = 4096, 256
-_PATIENCE = 100
+_PATIENCE = 250
 _PREFIX = "autograder-"
 _numbers = itertools.count(1)
 
@@ -72,7 +73,16 @@ def remove_leftovers(mount: Path = Path("/sys/fs/cgroup"), membership: Path = Pa
             for folder in parent.glob(f"{_PREFIX}*-*"):
                 maker = folder.name.removeprefix(_PREFIX).partition("-")[0]
                 if not Path("/proc", maker).exists():
+                    _kill_members(folder)
                     ControlGroup([folder]).remove()
+
+
+def _kill_members(folder: Path) -> None:
+    for pid in map(int, (folder / "cgroup.procs").read_text().split()):
+        # 0: one that we cannot see
+        if pid > 0:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
 
 
 def _places(mount: Path, membership: Path) -> list[tuple[Path, dict[str, int]]]:
