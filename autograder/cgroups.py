@@ -4,13 +4,15 @@ Where it does not, the limits of each process and the watch over their memory (a
 """
 
 import contextlib
+import errno
 import itertools
 import os
+import signal
 import time
 from pathlib import Path
 
 _MEMORY_MB, _PROCESSES = 4096, 256
-_PATIENCE = 100
+_PATIENCE = 250
 _PREFIX = "autograder-"
 _numbers = itertools.count(1)
 
@@ -55,7 +57,9 @@ class ControlGroup:
                     folder.rmdir()
                 except FileNotFoundError:
                     break
-                except OSError:
+                except OSError as error:
+                    if error.errno != errno.EBUSY:
+                        break
                     time.sleep(0.02)
                 else:
                     break
@@ -63,14 +67,22 @@ class ControlGroup:
 
 def remove_leftovers(mount: Path = Path("/sys/fs/cgroup"), membership: Path = Path("/proc/self/cgroup")) -> None:
     """Remove the groups of processes that were killed before they could do it."""
-    # none that is in use lets itself be removed, and there may be no groups at all
+    # there may be no groups at all
     with contextlib.suppress(OSError):
         for parent, _ in _places(mount, membership):
             for folder in parent.glob(f"{_PREFIX}*-*"):
                 maker = folder.name.removeprefix(_PREFIX).partition("-")[0]
                 if not Path("/proc", maker).exists():
-                    with contextlib.suppress(OSError):
-                        folder.rmdir()
+                    _kill_members(folder)
+                    ControlGroup([folder]).remove()
+
+
+def _kill_members(folder: Path) -> None:
+    for pid in map(int, (folder / "cgroup.procs").read_text().split()):
+        # 0: one that we cannot see
+        if pid > 0:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
 
 
 def _places(mount: Path, membership: Path) -> list[tuple[Path, dict[str, int]]]:

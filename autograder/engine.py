@@ -80,9 +80,14 @@ def graded(works: Iterable[Work], open_pool: OpenPool) -> Generator[GradedSubmis
 def _alone(pool: Pool, suspects: list[Work]) -> Generator[GradedSubmission, None, bool]:
     """Grade each of the suspects with nothing beside it. Returns whether the pool broke."""
     while suspects:
+        try:
+            future = _submitted(pool, suspects[0])
+        except BrokenExecutor:
+            # another worker died meanwhile: this one was not tried yet
+            return True
         work = suspects.pop(0)
         try:
-            yield work, graded_from_plain(_submitted(pool, work).result())
+            yield work, graded_from_plain(future.result())
         except pool.deaths as error:
             yield work, refused_submission(work, _WORKER_DIED)
             if isinstance(error, BrokenExecutor):
@@ -97,7 +102,13 @@ def _streamed(pool: Pool, works: Iterator[Work], suspects: list[Work]) -> Genera
     try:
         while True:
             for work in itertools.islice(works, ahead - len(under_way)):
-                under_way[_submitted(pool, work)] = work
+                try:
+                    under_way[_submitted(pool, work)] = work
+                except BrokenExecutor:
+                    # a worker died while the last results were written
+                    suspects += [work, *under_way.values()]
+                    under_way.clear()
+                    return True
             if not under_way:
                 return False
             done, _ = wait(under_way, return_when=FIRST_COMPLETED)

@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import sys
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -125,10 +126,21 @@ def open_gradebook(root: Path) -> Any:
         os.environ["PATH"] = f"{programs}{os.pathsep}{path}"
     url = db_url(root)
     begun = _begun_only(url)
-    gradebook = Gradebook(url, course_id=course_id(root))
-    if begun:
-        _enter_version(gradebook)
+    with _uninterrupted():
+        gradebook = Gradebook(url, course_id=course_id(root))
+        if begun:
+            _enter_version(gradebook)
     return gradebook
+
+
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Let Ctrl-C wait for a moment: alembic would be hit by it too, and say so at length."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _begun_only(url: str) -> bool:

@@ -3,6 +3,7 @@
 `graded_submission` takes and gives plain dictionaries and bytes, so that it can run in any executor.
 """
 
+import contextlib
 import io
 import logging
 import sys
@@ -19,7 +20,7 @@ from autograder.receipts import exercises_hash
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
 from autograder.released import Release, released
 from autograder.sandbox.wire import packed_interview, send
-from autograder.session import Limits, Session, SessionEndedError
+from autograder.session import Limits, SandboxEndedError, Session, SessionEndedError
 from autograder.warm_server import NoSandboxError
 from course.answers import Interview, Question
 from course.language import Text
@@ -169,7 +170,12 @@ def _run_and_judged(work: Work, name: str, submitted: Sequence[Cell]) -> GradedN
     release = released(work.release[language, name])
     cells = restored_cells(release.cells, submitted)
     run = _Run(work, language)
-    run.all_cells(cells, release)
+    try:
+        run.all_cells(cells, release)
+    except SandboxEndedError:
+        run = _Run(work, language)
+        with contextlib.suppress(SandboxEndedError):
+            run.all_cells(cells, release)
     handed_in = {cell.grade_id for cell in submitted}
     results = _results(work, name, cells, handed_in, run)
     return GradedNotebook(name, language, tuple(results), executed_notebook(release, cells, run.outputs), run.replies)
@@ -188,7 +194,7 @@ class _Run:
         self.stopped: Text | None = None
 
     def all_cells(self, cells: Sequence[Cell], release: Release) -> None:
-        """Run the cells and ask the judge at each check."""
+        """Run the cells and ask the judge at each check. Raises SandboxEndedError where that ended before; the rest is kept."""
         self.outputs = [None for _ in cells]
         try:
             with Session(self._work.limits, self._work.sandbox, self._work.slot) as session:
@@ -203,6 +209,8 @@ class _Run:
                     self.outputs[index] = clean_outputs(shown, room)
         except SessionEndedError as error:
             self.stopped = error.reason
+            if isinstance(error, SandboxEndedError):
+                raise
 
     def _judged(self, session: Session, name: str) -> dict[str, Any]:
         """Judge one answer, keep the verdict, and return the output that the check cell shows."""

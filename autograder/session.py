@@ -48,6 +48,10 @@ class SessionEndedError(Exception):
         self.reason = reason
 
 
+class SandboxEndedError(SessionEndedError):
+    """The sandbox itself is gone, which is not a notebook's doing: another try is fair."""
+
+
 class Session:
     """One notebook running in its own sandbox. Use it in a `with` statement; every process of it is gone afterwards."""
 
@@ -105,7 +109,7 @@ class Session:
         except TimeoutError:
             raise SessionEndedError(_TOO_SLOW) from None
         except OSError:
-            raise SessionEndedError(_DIED) from None
+            raise self._died() from None
         except WireError:
             raise SessionEndedError(_MALFORMED) from None
         # of the type first: an array compares in its own way
@@ -113,6 +117,9 @@ class Session:
         if type(number) is not int or number != self._last_id or type(echo) is not str or echo != nonce:
             raise SessionEndedError(_MALFORMED)
         return reply
+
+    def _died(self) -> SessionEndedError:
+        return (SessionEndedError if self._server.answers() else SandboxEndedError)(_DIED)
 
     def _watch_memory(self) -> None:
         """Look from time to time at how much all processes of the notebook hold together."""
@@ -136,9 +143,9 @@ class Session:
             except TimeoutError:
                 continue
             except OSError:
-                raise SessionEndedError(_DIED) from None
+                raise self._died() from None
             if not part:
-                raise SessionEndedError(_DIED)
+                raise self._died()
             parts.append(part)
             count -= len(part)
         return b"".join(parts)

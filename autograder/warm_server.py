@@ -111,6 +111,14 @@ class WarmServer:
         except (OSError, ValueError, KeyError):
             return 0
 
+    def answers(self) -> bool:
+        """Return whether the server lives."""
+        try:
+            self._asked({"do": "memory", "pid": 0})
+        except (OSError, ValueError):
+            return False
+        return True
+
     def close(self) -> None:
         """End the server, and with it the notebook that runs."""
         if self._process is not None:

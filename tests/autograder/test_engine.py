@@ -168,6 +168,39 @@ def test_who_lost_a_worker_once_is_graded_again(plainly, death):
     ]
 
 
+class BreaksWhenIdle(AtOnce):
+    """Has broken when the next work comes, which is only the first time."""
+
+    broke = False
+
+    def submit(self, call, work):
+        if work["student"] == "s2" and not BreaksWhenIdle.broke:
+            BreaksWhenIdle.broke = True
+            raise BrokenExecutor
+        return super().submit(call, work)
+
+
+@pytest.mark.parametrize("first_death", [None, "s0"])
+def test_a_worker_that_dies_while_nothing_waits_for_it_costs_nobody_a_try(plainly, monkeypatch, first_death):
+    """Before the class is through, or while those are tried alone who were under way when a worker died before."""
+    monkeypatch.setattr(BreaksWhenIdle, "broke", first_death is not None)
+    tried = []
+
+    def deadly_once(data):
+        tried.append(data["student"])
+        if data["student"] == first_death and tried.count(first_death) == 1:
+            raise BrokenExecutor
+        if data["student"] == first_death:
+            # while the others wait for their turn
+            BreaksWhenIdle.broke = False
+        return []
+
+    plainly(deadly_once)
+    open_pool, opened = pools(BreaksWhenIdle)
+    assert sorted((work.student, result) for work, result in graded(works(6), open_pool)) == [(f"s{n}", []) for n in range(6)]
+    assert len(opened) == (2 if first_death is None else 3)
+
+
 def test_nobody_handed_in():
     assert list(graded([], pools(AtOnce)[0])) == []
 
