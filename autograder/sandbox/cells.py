@@ -12,6 +12,7 @@ import signal
 import sys
 import tempfile
 import warnings
+from asyncio import CancelledError
 from collections.abc import Callable, Coroutine, Iterable, Iterator, Mapping
 from types import CodeType
 from typing import Any, NoReturn
@@ -322,7 +323,11 @@ def _until_done(coroutine: Coroutine[Any, Any, Any]) -> Any:
     except KeyboardInterrupt as interrupt:
         # or it would go on while later cells run
         task.cancel(str(interrupt))
-        return loop.run_until_complete(task)
+        try:
+            return loop.run_until_complete(task)
+        except CancelledError:
+            # it had not even begun
+            raise interrupt from None
 
 
 def _names_in(code: CodeType) -> set[str]:
