@@ -38,7 +38,7 @@ class Grader:
         # orphans become ours instead of vanishing from sight
         ctypes.CDLL(None).prctl(_PR_SET_CHILD_SUBREAPER, 1)
         self._before = set(descendants())
-        self._said = open(self._root / "said", "w+b")  # noqa: SIM115 - closed in __exit__
+        self._said = open(self._root / "said", "w+b")
         self.process = subprocess.Popen(
             self._command, stdout=self._said, stderr=self._said, stdin=subprocess.DEVNULL,
             env={**os.environ, "PYTHONPATH": str(ROOT)}, start_new_session=True,

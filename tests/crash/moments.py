@@ -17,14 +17,12 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import nbgrader.api
-from nbgrader.api import Gradebook  # loaded before the forks
 from sqlalchemy import event
 from sqlalchemy.engine import Engine
 
 from autograder import batch
 from autograder.batch import grade_class
 from autograder.engine import Options
-from autograder.gradebook import open_gradebook
 from tests.crash.program import LIMITS
 from tests.small_class import Undisturbed, new_class
 

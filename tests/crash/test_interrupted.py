@@ -230,7 +230,7 @@ def test_a_full_disk_is_said_and_grading_goes_on_when_there_is_room(undisturbed,
         put_secret(root, undisturbed.secret)
     classroom.grade(limits=LIMITS)
     assert_same(root, undisturbed)
-    assert not [path for path in root.rglob(".new-*")]
+    assert not list(root.rglob(".new-*"))
 
 
 def fill(path: Path, room: int) -> None:
@@ -257,7 +257,7 @@ def test_a_gradebook_that_another_program_holds_is_said(undisturbed, classroom, 
         held.execute("BEGIN EXCLUSIVE")
     else:
         monkeypatch.setattr(batch, "graded", lambda *given: hold(given))
-    with pytest.raises(BatchError, match="locked.*another program has it open.*type the same command again"):
+    with pytest.raises(BatchError, match=r"locked.*another program has it open.*type the same command again"):
         classroom.grade(limits=LIMITS)
     held.execute("ROLLBACK")
     held.close()
@@ -269,7 +269,7 @@ def test_a_gradebook_that_another_program_holds_is_said(undisturbed, classroom, 
 
 def test_a_gradebook_that_is_none_is_said(classroom, replayed):
     (classroom.root / "gradebook.db").write_bytes(b"no database" * 1000)
-    with pytest.raises(BatchError, match="gradebook cannot be .*not a database"):
+    with pytest.raises(BatchError, match=r"gradebook cannot be .*not a database"):
         classroom.grade(limits=LIMITS)
     assert (classroom.root / "gradebook.db").read_bytes() == b"no database" * 1000
 
@@ -341,7 +341,7 @@ def test_a_receipt_that_is_gone_is_made_again(undisturbed, graded_class, replaye
 def test_a_damaged_secret_is_said_and_nothing_is_graded_with_it(undisturbed, graded_class, replayed, content):
     path = graded_class.root / ".autograder/secret"
     path.write_bytes(content)
-    with pytest.raises(BatchError, match="secret is damaged. Put it back from a backup"):
+    with pytest.raises(BatchError, match=r"secret is damaged\. Put it back from a backup"):
         graded_class.grade(limits=LIMITS, regrade=True)
     assert replayed == []
     path.write_bytes(undisturbed.secret)
