@@ -7,7 +7,7 @@ import sys
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from autograder.executed import as_markdown
 from autograder.exercise import check_cell, checked_exercise
@@ -33,6 +33,7 @@ class GradebookWriter:
             self._late = LatePenalties(self._root)
             with _written_or_said():
                 register(self._gradebook, self._root, self._assignment)
+                self._cells = _Cells.of(self._gradebook, self._assignment)
         except BaseException:
             self._gradebook.close()
             raise
@@ -57,7 +58,7 @@ class GradebookWriter:
         try:
             with _written_or_said():
                 submission = self._submission(student)
-                _enter_all(submission, graded, kept, paths)
+                _enter_all(submission, self._cells, graded, kept, paths)
                 new = [notebook.notebook for notebook in graded if notebook.notebook not in unchanged]
                 self._late.enter(submission, self._root / "submitted" / student / self._assignment, new)
                 self._gradebook.db.commit()
@@ -69,21 +70,45 @@ class GradebookWriter:
 
     def _submission(self, student: str) -> Any:
         """Return the student's submission with a grade and a comment for every cell, making what is not there."""
-        from nbgrader.api import Assignment, Student, SubmittedAssignment
+        from nbgrader.api import Student, SubmittedAssignment
 
         session = self._gradebook.db
         person = session.get(Student, student) or Student(id=student)
-        assignment = session.query(Assignment).filter(Assignment.name == self._assignment).one()
         submission = (
             session.query(SubmittedAssignment)
-            .filter(SubmittedAssignment.student_id == student, SubmittedAssignment.assignment_id == assignment.id)
+            .filter(SubmittedAssignment.student_id == student, SubmittedAssignment.assignment_id == self._cells.assignment)
             .one_or_none()
         )
         if submission is None:
-            submission = SubmittedAssignment(assignment=assignment, student=person)
+            submission = SubmittedAssignment(assignment_id=self._cells.assignment, student=person)
             session.add(submission)
-        _complete(session, submission)
+        with session.no_autoflush:
+            _complete(submission, self._cells)
+        session.flush()
         return submission
+
+
+class _Cells(NamedTuple):
+    """The ids of what an assignment consists of, read once: nothing of it changes while a class is graded."""
+
+    assignment: str
+    #: of notebooks, by name
+    notebooks: Mapping[str, str]
+    #: names of graded cells, and of cells that get a comment, by id; for each notebook's id
+    graded: Mapping[str, Mapping[str, str]]
+    commented: Mapping[str, Mapping[str, str]]
+
+    @classmethod
+    def of(cls, gradebook: Any, assignment: str) -> "_Cells":
+        from nbgrader.api import Assignment
+
+        found = gradebook.db.query(Assignment).filter(Assignment.name == assignment).one()
+        return cls(
+            found.id,
+            {notebook.name: notebook.id for notebook in found.notebooks},
+            {notebook.id: {cell.id: cell.name for cell in notebook.grade_cells} for notebook in found.notebooks},
+            {notebook.id: {cell.id: cell.name for cell in notebook.solution_cells} for notebook in found.notebooks},
+        )
 
 
 @contextmanager
@@ -187,20 +212,20 @@ def _quick_import() -> Iterator[None]:
         del sys.modules[module]
 
 
-def _complete(session: Any, submission: Any) -> None:
+def _complete(submission: Any, cells: _Cells) -> None:
     """Give the submission every notebook, grade and comment that the assignment has by now."""
     from nbgrader.api import Comment, Grade, SubmittedNotebook
 
-    present = {entry.notebook.name: entry for entry in submission.notebooks}
-    for notebook in submission.assignment.notebooks:
-        entry = present.get(notebook.name) or SubmittedNotebook(notebook=notebook, assignment=submission)
-        # at once: what follows looks into the database, which writes what is there so far
-        session.add(entry)
-        graded = {grade.cell.name for grade in entry.grades}
-        entry.grades.extend(Grade(cell=cell) for cell in notebook.grade_cells if cell.name not in graded)
-        commented = {comment.cell.name for comment in entry.comments}
-        entry.comments.extend(Comment(cell=cell) for cell in notebook.solution_cells if cell.name not in commented)
-    session.flush()
+    present = {entry.notebook_id: entry for entry in submission.notebooks}
+    for notebook in cells.notebooks.values():
+        entry = present.get(notebook)
+        if entry is None:
+            entry = SubmittedNotebook(notebook_id=notebook)
+            submission.notebooks.append(entry)
+        graded = {grade.cell_id for grade in entry.grades}
+        entry.grades.extend(Grade(cell_id=cell) for cell in cells.graded[notebook] if cell not in graded)
+        commented = {comment.cell_id for comment in entry.comments}
+        entry.comments.extend(Comment(cell_id=cell) for cell in cells.commented[notebook] if cell not in commented)
 
 
 def _written_before(path: Path) -> dict[str, str]:
@@ -218,20 +243,24 @@ def _written_texts(executed: bytes) -> dict[str, str]:
     return {grade_id: "".join(source) for grade_id, source in sources.items()}
 
 
-def _enter_all(submission: Any, graded: Sequence[GradedNotebook], kept: Sequence[Result], paths: Mapping[str, Path]) -> None:
-    rows = {entry.name: entry for entry in submission.notebooks}
+def _enter_all(
+    submission: Any, cells: _Cells, graded: Sequence[GradedNotebook], kept: Sequence[Result], paths: Mapping[str, Path]
+) -> None:
+    by_id = {entry.notebook_id: entry for entry in submission.notebooks}
+    rows = {name: by_id[notebook] for name, notebook in cells.notebooks.items()}
     for notebook in graded:
         before, after = _written_before(paths[notebook.notebook]), _written_texts(notebook.executed)
         rewritten = {name for name, text in before.items() if text != after.get(name)}
-        _enter(rows[notebook.notebook], notebook.results, rewritten)
+        _enter(rows[notebook.notebook], cells, notebook.results, rewritten)
     for result in kept:
-        _enter(rows[result.notebook], [result], set())
+        _enter(rows[result.notebook], cells, [result], set())
 
 
-def _enter(entry: Any, results: Sequence[Result], rewritten: set[str]) -> None:
+def _enter(entry: Any, cells: _Cells, results: Sequence[Result], rewritten: set[str]) -> None:
     """Enter scores and messages. What a person gave by hand stays; it asks for another look when the answer was rewritten."""
-    grades = {grade.cell.name: grade for grade in entry.grades}
-    comments = {comment.cell.name: comment for comment in entry.comments}
+    graded, commented = cells.graded[entry.notebook_id], cells.commented[entry.notebook_id]
+    grades = {graded[grade.cell_id]: grade for grade in entry.grades if grade.cell_id in graded}
+    comments = {commented[comment.cell_id]: comment for comment in entry.comments if comment.cell_id in commented}
     for result in results:
         written = result.exercise in grades
         grade = grades[result.exercise if written else check_cell(result.exercise)]
