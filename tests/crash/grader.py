@@ -99,11 +99,11 @@ class Grader:
 
 
 def _busy(pid: int) -> bool:
-    """Is this a notebook's process that has computed for a second?"""
+    """Is this the process of the class's first notebook, which has computed for a moment?"""
     with contextlib.suppress(OSError):
         fields = Path(f"/proc/{pid}/stat").read_text().rpartition(") ")[2].split()
         owner = Path(f"/proc/{pid}").stat().st_uid
-        return owner >= 20_000 and int(fields[11]) + int(fields[12]) > os.sysconf("SC_CLK_TCK")
+        return owner == 20_000 and int(fields[11]) + int(fields[12]) > 0.2 * os.sysconf("SC_CLK_TCK")
     return False
 
 
