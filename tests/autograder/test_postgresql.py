@@ -20,7 +20,18 @@ pytestmark = [pytest.mark.postgresql, pytest.mark.sandbox, pytest.mark.xdist_gro
 
 LONG = "x" * 199
 #: names that a database, an address or a shell could take for something else; folders may be called so
-ODD_NAMES = [f"{LONG}a", f"{LONG}b", "学生 一", "o'brien", 'a"b; DROP TABLE grade;--', "100%", "a\\b", "%(x)s:y", "tab\tand\nline", "é"]
+ODD_NAMES = [
+    f"{LONG}a",
+    f"{LONG}b",
+    "学生 一",
+    "o'brien",
+    'a"b; DROP TABLE grade;--',
+    "100%",
+    "a\\b",
+    "%(x)s:y",
+    "tab\tand\nline",
+    "é",
+]
 
 
 class Server(NamedTuple):
@@ -144,7 +155,7 @@ def test_a_server_that_is_down_is_said_and_nothing_is_graded(another_class, serv
     monkeypatch.setattr(batch, "graded", lambda *_: pytest.fail("it began to grade"))
     server.stop("fast")
     try:
-        with pytest.raises(BatchError, match="the gradebook cannot be read: .*Is the server running"):
+        with pytest.raises(BatchError, match=r"the gradebook cannot be read: .*Is the server running"):
             another_class.grade(limits=LIMITS)
     finally:
         server.start()
@@ -159,7 +170,7 @@ def test_a_server_that_goes_down_meanwhile_loses_and_doubles_nothing(undisturbed
 
     with monkeypatch.context() as patch:
         patch.setattr(batch, "graded", graded)
-        with pytest.raises(BatchError, match="the gradebook cannot be written: .*type the same command again for the rest"):
+        with pytest.raises(BatchError, match=r"the gradebook cannot be written: .*type the same command again for the rest"):
             another_class.grade(limits=LIMITS)
     server.start()
     assert len(list(another_class.root.glob(".autograder/receipts/odometry/*/receipt.json"))) == 2
@@ -170,7 +181,7 @@ def test_a_server_that_goes_down_meanwhile_loses_and_doubles_nothing(undisturbed
 def test_a_database_that_nobody_made_is_said(another_class):
     path = another_class.root / "nbgrader_config.py"
     path.write_text(path.read_text().replace("@/", "@/no_such_"))
-    with pytest.raises(BatchError, match='the gradebook cannot be read: .*database "no_such_.*" does not exist'):
+    with pytest.raises(BatchError, match=r'the gradebook cannot be read: .*database "no_such_.*" does not exist'):
         another_class.grade(limits=LIMITS)
 
 
