@@ -166,7 +166,11 @@ def _database(url: str) -> Finding:
 
     shown = make_url(url).render_as_string(hide_password=True)
     try:
-        create_engine(url).connect().close()
+        engine = create_engine(url)
+        try:
+            engine.connect().close()
+        finally:
+            engine.dispose()
     except (SQLAlchemyError, ImportError) as error:
         return Finding("gradebook", "bad", f"{shown}: {error}", "start the database server, and make the database with createdb")
     return Finding("gradebook", "good", f"{shown} answers")

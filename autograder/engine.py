@@ -9,7 +9,7 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Generator, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor, wait
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -163,6 +163,7 @@ def dask_pool(address: str) -> Iterator[Pool]:
     """Connect to a Dask cluster. Its workers need bubblewrap, and this version of the course in their environment."""
     # imported here: it takes a second
     from distributed import Client, KilledWorker
+    from distributed.comm import CommClosedError
 
     try:
         client = Client(address, timeout=10, set_as_default=False)
@@ -175,7 +176,14 @@ def dask_pool(address: str) -> Iterator[Pool]:
                 f"the Dask scheduler at {address} has no workers. Start some with: dask worker {address} --nthreads 1"
             )
         # not pure: a submission that is graded again must not be answered from memory
-        yield Pool(client.get_executor(pure=False), workers, (KilledWorker,))
+        try:
+            yield Pool(client.get_executor(pure=False), workers, (KilledWorker,))
+        except (CancelledError, CommClosedError) as error:
+            # nothing here cancels what it still waits for
+            raise ClusterError(
+                f"the Dask scheduler at {address} does not answer any more ({type(error).__name__}). "
+                "What was graded so far is kept; start it again, and type the same command for the rest."
+            ) from error
 
 
 def _end_with_parent() -> None:

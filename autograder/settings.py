@@ -1,5 +1,6 @@
 """What nbgrader_config.py says of the course, read without importing nbgrader, which takes seconds."""
 
+from importlib.util import find_spec
 from pathlib import Path
 
 from traitlets.config import Config, PyFileConfigLoader
@@ -14,9 +15,15 @@ def course_id(root: Path) -> str:
 
 
 def db_url(root: Path) -> str:
-    """Return the URL of the gradebook's database: that of the configuration, or gradebook.db in the root of the course."""
+    """Return the URL of the gradebook's database: that of the configuration, or gradebook.db in the root of the course.
+
+    By "postgresql://" SQLAlchemy means psycopg 2. Where that is not there, psycopg 3 is named, which the environment has.
+    """
     url = str(configuration(root).CourseDirectory.get("db_url", "")) or f"sqlite:///{root / 'gradebook.db'}"
-    return f"{url}?timeout={_LOCK_SECONDS}" if url.startswith("sqlite:///") and "?" not in url else url
+    kind, separator, rest = url.partition("://")
+    if kind in ("postgresql", "postgres") and find_spec("psycopg2") is None:
+        return f"postgresql+psycopg{separator}{rest}"
+    return f"{url}?timeout={_LOCK_SECONDS}" if kind == "sqlite" and "?" not in url else url
 
 
 def configuration(root: Path) -> Config:

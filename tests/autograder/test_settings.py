@@ -20,6 +20,15 @@ def test_the_gradebook_is_where_the_configuration_says(tmp_path, address):
     assert db_url(tmp_path) == address
 
 
+@pytest.mark.parametrize("kind", ["postgresql", "postgres"])
+def test_a_postgresql_address_without_a_driver_names_the_one_that_is_there(tmp_path, monkeypatch, kind):
+    address = f"{kind}://ta:secret@db.example:5433/grades?sslmode=require"
+    (tmp_path / "nbgrader_config.py").write_text(f"c = get_config()\nc.CourseDirectory.db_url = {address!r}\n")
+    assert db_url(tmp_path) == "postgresql+psycopg://ta:secret@db.example:5433/grades?sslmode=require"
+    monkeypatch.setattr("autograder.settings.find_spec", lambda name: name)
+    assert db_url(tmp_path) == address
+
+
 def test_our_addresses_are_those_of_nbgrader(root, tmp_path):
     from nbgrader.coursedir import CourseDirectory
 
