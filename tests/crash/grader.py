@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from autograder import cgroups
+
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(__file__).with_name("program.py")
 _PR_SET_CHILD_SUBREAPER = 36
@@ -126,8 +128,10 @@ def until(holds: Callable[[], bool], message: str, *shown: Callable[[], object])
 
 def groups_of(pids: set[int]) -> list[Path]:
     """Return the control groups that these processes made and that are still there."""
-    found = Path("/sys/fs/cgroup").glob("**/autograder-*-*")
-    return [folder for folder in found if folder.is_dir() and int(folder.name.split("-")[1]) in pids]
+    # below our own group: elsewhere may lie those of others, who had the same numbers
+    places = cgroups._places(Path("/sys/fs/cgroup"), Path("/proc/self/cgroup"))
+    found = [folder for parent, _ in places for folder in parent.glob("autograder-*-*")]
+    return [folder for folder in found if int(folder.name.split("-")[1]) in pids]
 
 
 def descendants() -> Iterator[int]:
