@@ -135,10 +135,10 @@ def warm_cells() -> Cells:
         importlib.import_module(name)
     import course
 
-    for module in pkgutil.iter_modules(course.__path__):
+    for module in pkgutil.walk_packages(course.__path__, "course."):
         # the editions choose the language when they are imported: that is left to the notebook
-        if module.name not in ("en", "ja"):
-            importlib.import_module(f"course.{module.name}")
+        if module.name not in ("course.en", "course.ja"):
+            importlib.import_module(module.name)
     cells = Cells()
     cells.warm_up()
     gc.collect()

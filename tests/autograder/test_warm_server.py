@@ -60,7 +60,8 @@ def test_two_notebooks_at_a_time_do_not_see_each_other(sandbox):
 def test_an_edition_chooses_its_language_although_the_course_is_loaded_already(edition):
     with Session(LIMITS, False) as session:
         assert (
-            shown(session, f"import sys; 'course.drawings' in sys.modules, 'course.{edition}' in sys.modules") == "(True, False)"
+            shown(session, f"import sys; 'course.drawings.encoders' in sys.modules, 'course.{edition}' in sys.modules")
+            == "(True, False)"
         )
         session.run(f"from course.{edition} import check\nfrom course.language import chosen_language")
         assert shown(session, "chosen_language()") == f"'{edition}'"

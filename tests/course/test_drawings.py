@@ -6,20 +6,22 @@ import re
 import numpy as np
 import pytest
 
-from course import drawings, language
+from course import language
+from course.drawings import encoders, pose_update
+from course.drawings.robot import draw_robot
 from course.plotting import new_sketch
 
 DRAWINGS = [
-    drawings.robot_pose,
-    drawings.one_step,
-    drawings.sensor_and_global_frames,
-    drawings.heading_choices,
-    drawings.drive_train,
-    drawings.quadrature_signals,
-    drawings.two_wheels,
-    drawings.mirrored_motors,
-    drawings.counter_wrap,
-    drawings.signed_tread,
+    pose_update.robot_pose,
+    pose_update.one_step,
+    pose_update.sensor_and_global_frames,
+    pose_update.heading_choices,
+    encoders.drive_train,
+    encoders.quadrature_signals,
+    encoders.two_wheels,
+    encoders.mirrored_motors,
+    encoders.counter_wrap,
+    encoders.signed_tread,
 ]
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 
@@ -67,7 +69,7 @@ def test_no_text_leaves_the_picture(monkeypatch: pytest.MonkeyPatch, draw: objec
 
 @pytest.mark.parametrize(("distance", "dtheta", "heading"), [(0.9, 60, 0), (-0.4, 135, 30), (1.0, -180, -90), (0.5, 0, 45)])
 def test_step_paths_end_where_geometry_says(distance: float, dtheta: float, heading: float) -> None:
-    ends = {rule: path[-1] for rule, path in drawings.step_paths(distance, dtheta, heading).items()}
+    ends = {rule: path[-1] for rule, path in pose_update.step_paths(distance, dtheta, heading).items()}
     half = math.radians(dtheta) / 2
     chord = distance * np.sinc(half / np.pi)
     middle = np.exp(1j * (math.radians(heading) + half))
@@ -77,13 +79,13 @@ def test_step_paths_end_where_geometry_says(distance: float, dtheta: float, head
 
 
 def test_a_leads_b_when_the_count_rises() -> None:
-    a, b = drawings.quadrature_bits(np.arange(5))
+    a, b = encoders.quadrature_bits(np.arange(5))
     assert [f"{one:d}{other:d}" for one, other in zip(a, b, strict=True)] == ["00", "10", "11", "01", "00"]
 
 
 def test_robot_looks_where_its_heading_points() -> None:
     axes = new_sketch((-2, 2), (-2, 2))
-    patches = drawings.draw_robot(axes, (1.0, -0.5, math.pi / 2), tread=0.5)
+    patches = draw_robot(axes, (1.0, -0.5, math.pi / 2), tread=0.5)
     nose = max(axes.transData.inverted().transform(patch.get_window_extent().corners())[:, 1].max() for patch in patches)
     assert nose == pytest.approx(-0.5 + 0.45 * 0.5, abs=0.01)
     assert set(patches) <= set(axes.patches)

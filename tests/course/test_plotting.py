@@ -12,7 +12,7 @@ import pytest
 from matplotlib import pyplot as plt
 
 from course import language, plotting
-from course.drawings import robot_pose
+from course.drawings.pose_update import robot_pose
 from course.language import Text
 from course.plotting import Colour, Picture, Quantity, label_axes, new_axes, new_figure, new_xy_axes
 
@@ -25,7 +25,7 @@ def _japanese(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_first_import_on_a_new_computer_is_silent(tmp_path: Path) -> None:
-    program = "import course, sys; assert 'matplotlib' not in sys.modules; from course.drawings import one_step; one_step().png"
+    program = "import course, sys; assert 'matplotlib' not in sys.modules; from course.drawings.pose_update import one_step; one_step().png"
     done = subprocess.run(
         [sys.executable, "-W", "error", "-c", program],
         env={**os.environ, "MPLCONFIGDIR": str(tmp_path)},

@@ -10,16 +10,17 @@ import pytest
 from matplotlib.colors import to_hex
 from matplotlib.patches import Circle, Wedge
 
-from course import language, views
-from course.drawings import quadrature_bits
-from course.plotting import new_sketch
+from course import language
+from course.drawings.encoders import quadrature_bits
+from course.plotting import Colour, new_sketch
+from course.views import drive, encoders, film, pose_update, view
 
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 WIDGET = "application/vnd.jupyter.widget-view+json"
 LINE = np.column_stack([np.linspace(0, 2, 500), np.zeros(500), np.zeros(500)])
 
-VIEWS = [views.step_view, views.wheels_view]
-FILMS: list[Callable[[], views.Film]] = [views.encoder_animation, lambda: views.drive_animation(LINE)]
+VIEWS = [pose_update.step_view, encoders.wheels_view]
+FILMS: list[Callable[[], film.Film]] = [encoders.encoder_animation, lambda: drive.drive_animation(LINE)]
 
 
 @pytest.fixture(params=["en", "ja"])
@@ -30,14 +31,14 @@ def chosen(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> s
 
 @pytest.fixture
 def kernel(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(views, "get_ipython", lambda: SimpleNamespace(kernel=object()))
+    monkeypatch.setattr(view, "get_ipython", lambda: SimpleNamespace(kernel=object()))
 
 
-@pytest.mark.parametrize("view", VIEWS)
+@pytest.mark.parametrize("made", VIEWS)
 def test_without_a_kernel_a_view_is_its_picture(
-    view: Callable[[], views.View], chosen: str, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
+    made: Callable[[], view.View], chosen: str, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    shown = view()
+    shown = made()
     bundle = shown._repr_mimebundle_()
     assert set(bundle) == {"text/html", "text/plain"}
     assert bundle["text/html"].startswith("<img alt=")
@@ -47,9 +48,9 @@ def test_without_a_kernel_a_view_is_its_picture(
 
 
 @pytest.mark.usefixtures("kernel")
-@pytest.mark.parametrize("view", VIEWS)
-def test_sliders_redraw_the_image_and_the_picture_stays_for_static_pages(view: Callable[[], views.View], chosen: str) -> None:
-    shown = view()
+@pytest.mark.parametrize("made", VIEWS)
+def test_sliders_redraw_the_image_and_the_picture_stays_for_static_pages(made: Callable[[], view.View], chosen: str) -> None:
+    shown = made()
     bundle = shown._repr_mimebundle_()
     assert {WIDGET, "text/html", "text/plain"} == set(bundle)
     *sliders, image = shown.controls.children
@@ -77,12 +78,12 @@ def test_wheels_view_tells_velocity_yaw_rate_and_turning_centre(
     monkeypatch: pytest.MonkeyPatch, right: float, left: float, says: str
 ) -> None:
     monkeypatch.setattr(language, "_chosen", "en")
-    assert says in views._picture_of_drive(right, left, tread=0.5, seconds=4).alt
+    assert says in encoders._picture_of_drive(right, left, tread=0.5, seconds=4).alt
 
 
 def test_wheels_view_drives_the_circle_that_the_speeds_define() -> None:
-    axes = views._picture_of_drive(0.3, 0.1, tread=0.5, seconds=4).figure.axes[0]
-    middle = next(line for line in axes.get_lines() if to_hex(line.get_color()) == views.Colour.INK).get_xydata()
+    axes = encoders._picture_of_drive(0.3, 0.1, tread=0.5, seconds=4).figure.axes[0]
+    middle = next(line for line in axes.get_lines() if to_hex(line.get_color()) == Colour.INK).get_xydata()
     assert np.hypot(middle[:, 0], middle[:, 1] - 0.5) == pytest.approx(0.5, abs=1e-5)
     assert middle[-1] == pytest.approx([0.5 * np.sin(1.6), 0.5 - 0.5 * np.cos(1.6)], abs=1e-5)
 
@@ -90,22 +91,22 @@ def test_wheels_view_drives_the_circle_that_the_speeds_define() -> None:
 @pytest.mark.parametrize("tread", [0, -0.3045, float("nan"), float("inf")])
 def test_wheels_view_refuses_a_tread_that_is_no_length(tread: float, chosen: str) -> None:
     with pytest.raises(ValueError, match="tread") as caught:
-        views.wheels_view(tread)
+        encoders.wheels_view(tread)
     assert bool(KANA_OR_KANJI.search(str(caught.value))) is (chosen == "ja")
 
 
-@pytest.mark.parametrize("film", FILMS, ids=["encoder", "drive"])
+@pytest.mark.parametrize("made", FILMS, ids=["encoder", "drive"])
 def test_films_need_no_network_and_speak_the_chosen_language(
-    film: Callable[[], views.Film], chosen: str, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
+    made: Callable[[], film.Film], chosen: str, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    shown = film()
+    shown = made()
     page = shown._repr_mimebundle_()["text/html"]
     assert "http:" not in page
     assert "https:" not in page
     assert all(link.startswith("data:") for link in re.findall(r'(?:src|href)="([^"]{0,30})', page))
     assert "<link" not in page
     assert 'class="fa' not in page
-    assert 1 < len(re.findall(r"frames\[\d+\] = ", page)) <= views.FRAMES
+    assert 1 < len(re.findall(r"frames\[\d+\] = ", page)) <= film.FRAMES
     assert page.count(f'alt="{html.escape(shown.still.alt)}"') == 1
     assert ('title="再生"' in page) is (chosen == "ja")
     assert (">Loop<" in page) is (chosen == "en")
@@ -116,29 +117,29 @@ def test_films_need_no_network_and_speak_the_chosen_language(
 
 def test_a_sensor_is_lit_exactly_when_a_slit_is_before_it() -> None:
     axes = new_sketch((-1.5, 1.5), (-1.5, 1.5))
-    turn_to = views._turning_disc(axes)
+    turn_to = encoders._turning_disc(axes)
     slits = [patch for patch in axes.patches if isinstance(patch, Wedge)]
     sensors = [patch for patch in axes.patches if isinstance(patch, Circle)][-2:]
     for position in np.arange(-4, 5, 0.25) + 0.1:
         turn_to(position)
         for sensor, bit in zip(sensors, quadrature_bits(np.floor(position)), strict=True):
             place = np.degrees(np.angle(complex(*sensor.center)))
-            open_before_it = any((place - slit.theta1) % 360 < views.PITCH / 2 for slit in slits)
+            open_before_it = any((place - slit.theta1) % 360 < encoders.PITCH / 2 for slit in slits)
             assert open_before_it == bit
-            assert (to_hex(sensor.get_facecolor()) == views.LIGHT.lower()) == bit
+            assert (to_hex(sensor.get_facecolor()) == encoders.LIGHT.lower()) == bit
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 40, 41, 5000])
 def test_drive_animation_takes_any_number_of_poses(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
-    monkeypatch.setattr(views, "FRAMES", 4)
-    page = views.drive_animation(LINE[np.linspace(0, 499, count).astype(int)]).html
+    monkeypatch.setattr(drive, "FRAMES", 4)
+    page = drive.drive_animation(LINE[np.linspace(0, 499, count).astype(int)]).html
     assert len(re.findall(r"frames\[\d+\] = ", page)) == min(count, 4)
 
 
 def test_drive_animation_takes_lists_and_leaves_the_poses_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(views, "FRAMES", 2)
+    monkeypatch.setattr(drive, "FRAMES", 2)
     poses = [[0, 0, 0], [1, 0, 0], [1, 1, 2]]
-    assert "1.00" in views.drive_animation(poses).still.alt
+    assert "1.00" in drive.drive_animation(poses).still.alt
     assert poses == [[0, 0, 0], [1, 0, 0], [1, 1, 2]]
 
 
@@ -159,4 +160,4 @@ def test_drive_animation_takes_lists_and_leaves_the_poses_alone(monkeypatch: pyt
 def test_drive_animation_says_what_is_wrong_with_poses(monkeypatch: pytest.MonkeyPatch, poses: object, says: str) -> None:
     monkeypatch.setattr(language, "_chosen", "en")
     with pytest.raises(ValueError, match=says):
-        views.drive_animation(poses)  # type: ignore[arg-type]
+        drive.drive_animation(poses)  # type: ignore[arg-type]
