@@ -73,6 +73,28 @@ class State(NamedTuple):
         )
 
 
+def differences(found: State, expected: State) -> list[str]:
+    """Return in what two states differ, one line each, shortened: pytest would compare whole files for minutes."""
+    lines = [f"missing row {row}" for row in (expected.rows - found.rows).elements()]
+    lines += [f"row too many {row}" for row in (found.rows - expected.rows).elements()]
+    for found_part, expected_part in ((found.files, expected.files), (found.receipts, expected.receipts)):
+        for path in sorted({*found_part, *expected_part}):
+            lines += _different(path, found_part.get(path, "no such file"), expected_part.get(path, "no such file"))
+    return [line[:400] for line in lines]
+
+
+def _different(path: str, found: object, expected: object) -> list[str]:
+    if isinstance(found, dict) and isinstance(expected, dict):
+        keys = sorted({*found, *expected})
+        return [line for key in keys for line in _different(f"{path}: {key}", found.get(key), expected.get(key))]
+    if found == expected:
+        return []
+    if isinstance(found, bytes) and isinstance(expected, bytes):
+        pairs = zip(found.splitlines(), expected.splitlines(), strict=False)
+        return [f"{path}: {next((pair for pair in pairs if pair[0] != pair[1]), 'one is longer')}"]
+    return [f"{path}: {found!r:.150} instead of {expected!r:.150}"]
+
+
 #: the second column is the student, or nobody
 _TABLES = {
     "version": "SELECT NULL, version_num FROM alembic_version",
