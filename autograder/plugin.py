@@ -28,7 +28,7 @@ from autograder.batch import BatchError, grade_class
 from autograder.engine import Options
 from autograder.gradebook import open_gradebook
 from autograder.grading import Result
-from autograder.settings import course_id, db_url
+from autograder.settings import configured_db_url, course_id
 from autograder.submissions import students_with
 
 #: where the grader looks and writes; nbgrader could be told to do so elsewhere
@@ -99,7 +99,7 @@ def _check_configuration(converter: Autograde, root: Path) -> None:
     for name, usual in _FOLDERS.items():
         if getattr(course, name) != usual:
             raise NbGraderException(f"c.CourseDirectory.{name} must be {usual!r}; it is {getattr(course, name)!r}")
-    ours = {"db_url": _without_query(db_url(root)), "course_id": course_id(root)}
+    ours = {"db_url": _without_query(configured_db_url(root)), "course_id": course_id(root)}
     for name, value in ours.items():
         theirs = _without_query(getattr(course, name))
         if theirs != value:

@@ -14,12 +14,17 @@ def course_id(root: Path) -> str:
     return str(configuration(root).CourseDirectory.get("course_id", ""))
 
 
+def configured_db_url(root: Path) -> str:
+    """Return the URL of the gradebook's database as nbgrader knows it: the configuration's, or gradebook.db in the root."""
+    return str(configuration(root).CourseDirectory.get("db_url", "")) or f"sqlite:///{root / 'gradebook.db'}"
+
+
 def db_url(root: Path) -> str:
-    """Return the URL of the gradebook's database: that of the configuration, or gradebook.db in the root of the course.
+    """Return the URL by which the gradebook's database is opened.
 
     By "postgresql://" SQLAlchemy means psycopg 2. Where that is not there, psycopg 3 is named, which the environment has.
     """
-    url = str(configuration(root).CourseDirectory.get("db_url", "")) or f"sqlite:///{root / 'gradebook.db'}"
+    url = configured_db_url(root)
     kind, separator, rest = url.partition("://")
     if kind in ("postgresql", "postgres") and find_spec("psycopg2") is None:
         return f"postgresql+psycopg{separator}{rest}"

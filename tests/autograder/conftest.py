@@ -13,19 +13,18 @@ import pytest
 from autograder import batch, engine
 from autograder.engine import Pool
 from autograder.grading import plain_work
-from autograder.reference import NOTEBOOKS, WRITTEN
+from tests.contents import table_of_contents
 
 ROOT = Path(__file__).parents[2]
 SMALL = Path(__file__).with_name("small_notebook.md")
+WRITTEN_IN_CLASS = {"odometry/pose_update": ("q1_derivation",)}
 
 
 @pytest.fixture
-def small_contents(monkeypatch):
+def small_contents():
     """A table of contents with one exercise and one written answer."""
-    for notebook in [*NOTEBOOKS]:
-        monkeypatch.delitem(NOTEBOOKS, notebook)
-    monkeypatch.setitem(NOTEBOOKS, "odometry/pose_update", ("pose_step",))
-    monkeypatch.setitem(WRITTEN, "odometry/pose_update", ("q1_derivation",))
+    with table_of_contents({"odometry/pose_update": ("pose_step",)}, WRITTEN_IN_CLASS):
+        yield
 
 
 @pytest.fixture
@@ -86,17 +85,10 @@ SOLUTIONS = {
 
 
 @pytest.fixture
-def class_contents(monkeypatch):
+def class_contents():
     """A table of contents of two notebooks with three exercises and a written answer."""
-    _use_class_contents(monkeypatch)
-
-
-def _use_class_contents(patch):
-    for notebook in [*NOTEBOOKS]:
-        patch.delitem(NOTEBOOKS, notebook)
-    for notebook, names in CLASS_CONTENTS.items():
-        patch.setitem(NOTEBOOKS, notebook, names)
-    patch.setitem(WRITTEN, "odometry/pose_update", ("q1_derivation",))
+    with table_of_contents(CLASS_CONTENTS, WRITTEN_IN_CLASS):
+        yield
 
 
 @pytest.fixture(scope="session")
@@ -121,8 +113,7 @@ def class_release(tmp_path_factory):
     }
     for name, text in sources.items():
         (root / f"source/odometry/{name}.md").write_text(text, encoding="utf-8")
-    with pytest.MonkeyPatch.context() as patch:
-        _use_class_contents(patch)
+    with table_of_contents(CLASS_CONTENTS, WRITTEN_IN_CLASS):
         build(root)
     shutil.copy(ROOT / "nbgrader_config.py", root)
     return root

@@ -4,7 +4,8 @@ import nbformat
 import pytest
 
 from autograder.editions import SourceError, edition, source_cells
-from autograder.reference import NOTEBOOKS
+from autograder.reference import NOTEBOOKS, WRITTEN
+from tests.contents import table_of_contents
 
 NOTEBOOK = "odometry/pose_update"
 pytestmark = pytest.mark.usefixtures("small_contents")
@@ -60,8 +61,9 @@ MISTAKES = [
 
 
 @pytest.fixture
-def other_notebook(small_contents, monkeypatch):
-    monkeypatch.setitem(NOTEBOOKS, "odometry/encoders", ("wheel_angle",))
+def other_notebook(small_contents):
+    with table_of_contents({**NOTEBOOKS, "odometry/encoders": ("wheel_angle",)}, WRITTEN):
+        yield
 
 
 @pytest.mark.usefixtures("other_notebook")
@@ -83,11 +85,9 @@ def test_an_unknown_notebook_is_refused(small_source):
         source_cells(small_source, "odometry/poses")
 
 
-def test_exercises_come_once_and_in_the_order_of_the_table_of_contents(small_source, monkeypatch):
-    monkeypatch.setitem(NOTEBOOKS, NOTEBOOK, ("displacement", "pose_step"))
-    with pytest.raises(
-        SourceError, match=r"exercise: the order is pose_step, displacement; change it to displacement, pose_step$"
-    ):
+def test_exercises_come_once_and_in_the_order_of_the_table_of_contents(small_source):
+    order = "exercise: the order is pose_step, displacement; change it to displacement, pose_step$"
+    with table_of_contents({NOTEBOOK: ("displacement", "pose_step")}, WRITTEN), pytest.raises(SourceError, match=order):
         source_cells(small_source + EXERCISE % ("displacement", "displacement"), NOTEBOOK)
     with pytest.raises(SourceError, match="exercise: pose_step occurs 2 times; keep one"):
         source_cells(small_source + EXERCISE % ("pose_step", "pose_step"), NOTEBOOK)

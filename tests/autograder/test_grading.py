@@ -25,6 +25,7 @@ from autograder.submissions import release_notebooks
 from autograder.warm_server import NoSandboxError
 from course.language import Text
 from course.verdict import Verdict
+from tests.contents import table_of_contents
 
 POINTS = {"pose_step": 5.0, "displacement": 5.0, "q1_derivation": 10.0, "distance_per_count": 5.0}
 WRONG_SIN_COS = (
@@ -87,11 +88,7 @@ def honest(class_release, answered):
         notebook["cells"].append({"cell_type": "code", "source": 'print("a picture, changed")', "metadata": {"tags": ["demo"]}})
 
     data = answered("pose_update", "en", edit, pose_step=WRONG_SIN_COS)
-    with pytest.MonkeyPatch.context() as patch:
-        for notebook in [*grading.NOTEBOOKS]:
-            patch.delitem(grading.NOTEBOOKS, notebook)
-        patch.setitem(grading.NOTEBOOKS, "odometry/pose_update", ("pose_step", "displacement"))
-        patch.setitem(grading.WRITTEN, "odometry/pose_update", ("q1_derivation",))
+    with table_of_contents({"odometry/pose_update": ("pose_step", "displacement")}, {"odometry/pose_update": ("q1_derivation",)}):
         release = release_notebooks(class_release, "odometry")
         [graded] = graded_submission(Work("ann", "odometry", {"pose_update": data}, release, sandbox=False))
     return graded

@@ -158,10 +158,11 @@ def test_without_a_sandbox_the_environment_is_as_clean(bare):
 def test_there_is_no_network(sandboxed, connect):
     import socket
 
+    name = f"grader-test-listener-{os.getpid()}"
     with socket.create_server(("127.0.0.1", 0)) as server, socket.socket(socket.AF_UNIX) as named:
-        named.bind("\0grader-test-listener")
+        named.bind(f"\0{name}")
         named.listen()
-        source = connect.replace("PORT", str(server.getsockname()[1])).replace("NAME", "'grader-test-listener'")
+        source = connect.replace("PORT", str(server.getsockname()[1])).replace("NAME", repr(name))
         assert text(sandboxed.run(f"import socket\n{source}")) in ("ConnectionRefusedError", "OSError", "gaierror")
 
 
