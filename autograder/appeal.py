@@ -15,8 +15,9 @@ from autograder.reference import exercise_named
 from autograder.sandbox.wire import WireError, receive, unpacked_interview
 from autograder.submissions import hashes
 from course.answers import Interview, Reply
+from course.given import shown_built
 from course.language import Text
-from course.plain import Plain
+from course.plain import Built, Plain
 
 
 class AppealError(RuntimeError):
@@ -129,7 +130,7 @@ def _cases(name: str, seed: int, talk: Interview | None, full: bool) -> tuple[Ca
 
 
 def _arguments(args: tuple[Plain, ...]) -> str:
-    return "\n".join(map(str, args))
+    return "\n".join(shown_built(arg) if isinstance(arg, Built) else str(arg) for arg in args)
 
 
 def _given(reply: Reply | None) -> str:

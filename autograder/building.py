@@ -22,7 +22,7 @@ from autograder.editions import SourceError, edition, source_cells
 from autograder.exercise import Exercise, right_value
 from autograder.reference import NOTEBOOKS, all_exercises
 from course.answers import Question
-from course.examples import stored
+from course.examples import stored, stored_tolerance
 from course.language import LANGUAGES
 
 EXAMPLES = "course/examples.json"
@@ -147,13 +147,15 @@ def _entry(exercise: Exercise) -> dict[str, Any]:
     examples = [tuple(arg.item() if isinstance(arg, np.generic) else arg for arg in args) for args in exercise.examples]
     return {
         "parameters": exercise.parameters,
-        "axis": exercise.tolerance.axis,
-        "angles": exercise.tolerance.angles,
+        "tolerance": stored_tolerance(exercise.tolerance),
         "quantities": exercise.quantities,
         "warnings_are_faults": exercise.warnings_are_faults,
         "gear": exercise.gear,
         "examples": [
-            {"args": [stored(arg) for arg in args], "result": stored(right_value(exercise.reference, Question(args)))}
+            {
+                "args": [stored(arg) for arg in args],
+                "result": stored(right_value(exercise.reference, Question(args), exercise.refuses)),
+            }
             for args in examples
         ],
     }

@@ -8,10 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from course.answers import Question, Reply, reply_to, trouble_of
+from course.given import handed_over
 from course.ladder import Answered
 from course.language import Text
-from course.plain import Plain, fresh, plain
-from course.tolerances import ONE_QUANTITY, Tolerance
+from course.plain import Built, Plain, Refusal, plain
+from course.tolerances import ONE_QUANTITY, RecordTolerance, Tolerance
 
 
 class Group(NamedTuple):
@@ -49,6 +50,10 @@ class Exercise:
     definition leaves open, each accepted as a whole. `cases(rng)` draws groups of inputs afresh. `examples` are the inputs that
     students may see with their results. `quantities` names what lies side by side in the answer; `gear` is the index of an
     argument that is a gear ratio; `warnings_are_faults` where the definition says so.
+
+    Arguments may be built where the answer is called: see course.given. Where the answer is a dict, `tolerance` is a
+    `RecordTolerance` and `quantities` are its keys. `refuses` are the built-in errors with which the reference refuses inputs: it
+    raises them, and if its message is a number, such as that of a line, the student's message must name that number too.
     """
 
     name: str
@@ -60,10 +65,11 @@ class Exercise:
     examples: tuple[tuple[Plain, ...], ...]
     mistakes: tuple[Mistake, ...]
     also_right: tuple[Callable[..., Any], ...] = ()
-    tolerance: Tolerance = ONE_QUANTITY
+    tolerance: Tolerance | RecordTolerance = ONE_QUANTITY
     quantities: tuple[str, ...] = ()
     gear: int | None = None
     warnings_are_faults: bool = False
+    refuses: tuple[type[Exception], ...] = ()
 
     @property
     def misconceptions(self) -> tuple[str, ...]:
@@ -153,6 +159,8 @@ def trial(exercise: Exercise, seed: int) -> Trial:
 
 def _as_python(arg: Plain) -> Plain:
     """Return NumPy's scalars, which draws leave behind, as Python's numbers, and tuples as lists: so they stay on every way."""
+    if isinstance(arg, Built):
+        return arg
     if isinstance(arg, np.generic):
         return arg.item()
     if isinstance(arg, list | tuple):
@@ -162,15 +170,22 @@ def _as_python(arg: Plain) -> Plain:
     return arg
 
 
-def right_value(rule: Callable[..., Any], question: Question) -> Plain:
-    """Return what a right rule gives, as plain data; it works on numbers, and one that fails is a fault of ours and raises."""
-    return plain(rule(*map(fresh, question.args)))
+def right_value(rule: Callable[..., Any], question: Question, refuses: tuple[type[Exception], ...] = ()) -> Plain:
+    """Return what a right rule gives, as plain data; it works on numbers.
+
+    An error of the kinds in `refuses` is a right answer too, as a `Refusal`; any other is a fault of ours and raises.
+    """
+    with handed_over(question.args) as given:
+        try:
+            return plain(rule(*given))
+        except refuses as error:
+            return Refusal(type(error).__name__, str(error) if str(error).isdecimal() else "")
 
 
 @lru_cache(maxsize=32)
-def right_values(rule: Callable[..., Any], drawn: Trial) -> tuple[Plain, ...]:
+def right_values(rule: Callable[..., Any], drawn: Trial, refuses: tuple[type[Exception], ...] = ()) -> tuple[Plain, ...]:
     """Return what a right rule gives for each question of a trial."""
-    return tuple(right_value(rule, question) for question in drawn.questions)
+    return tuple(right_value(rule, question, refuses) for question in drawn.questions)
 
 
 @lru_cache(maxsize=2048)

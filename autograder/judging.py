@@ -6,18 +6,20 @@ It never says what was expected, nor which numbers it asked with.
 
 import secrets
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
 from autograder.exercise import Exercise, GraphExercise, Group, Mistake, Trial, right_values, trial, wrong_reply
 from autograder.reference import exercise_named
-from course.answers import Interview, Question, Reply, interview
+from course.answers import Interview, Question, Reply, Trouble, interview
 from course.explaining import explained_missing, explained_not_axes, explained_trouble, shown
 from course.factors import factor_message
 from course.figures import is_summary
-from course.ladder import Answered, Fault, call_fault, entry_fault, names_of_wrong
+from course.ladder import Answered, Fault, call_fault, entry_fault, names_of_wrong, numbers_in, raises
 from course.language import Text
-from course.plain import Odd, Plain, numeric
+from course.plain import Odd, Plain, Refusal, numeric
+from course.tolerances import RecordTolerance, Tolerance
 from course.undisturbed import calm, undisturbed
 from course.verdict import Verdict
 
@@ -86,7 +88,7 @@ def graph_verdict(exercise: GraphExercise, talk: Interview, seed: int | None = N
 def case_faults(exercise: Exercise, drawn: Trial, talk: Interview | None) -> tuple[Sequence[Plain], list[Fault | None]]:
     """Return what was expected in each case, and what is wrong with each reply; None stands for replies that were all right."""
     if talk is None:
-        return right_values(exercise.reference, drawn), [None] * len(drawn.questions)
+        return right_values(exercise.reference, drawn, exercise.refuses), [None] * len(drawn.questions)
     expected, faults, _ = _best_rule(exercise, drawn, talk.replies_to(drawn.questions))
     return expected, faults
 
@@ -95,7 +97,7 @@ def _best_rule(exercise: Exercise, drawn: Trial, replies: Sequence[Reply]) -> tu
     """Return (expected values, faults, score) by the right rule that fits best; rules are never mixed."""
     best: tuple[Sequence[Plain], list[Fault | None], float] | None = None
     for rule in (exercise.reference, *exercise.also_right):
-        expected = right_values(rule, drawn)
+        expected = right_values(rule, drawn, exercise.refuses)
         faults = [
             call_fault(exercise.answered, question, right, reply)
             for question, right, reply in zip(drawn.questions, expected, replies, strict=True)
@@ -135,14 +137,22 @@ def _diagnosis(  # noqa: PLR0913 - the whole evidence on one answer
     mistake, whole = _recognised(exercise, drawn, replies, faults)
     if mistake is not None:
         return mistake.slug, broken.rung, mistake.message if whole else _IN_PART + mistake.message
-    if broken.rung != "value":
+    if broken.rung != "value" or broken.text.en:
         return None, broken.rung, broken.text
-    given = [numeric(reply.value) for reply in replies]
-    right = [numeric(value) for value in expected]
-    factor = factor_message(exercise.answered, drawn.questions, given, right)  # type: ignore[arg-type]
+    # nothing is compared with an input that had to be refused
+    indices = [index for index, value in enumerate(expected) if not isinstance(value, Refusal)]
+    questions = [drawn.questions[index] for index in indices]
+    given = [_comparable(replies[index].value) for index in indices]
+    right = [_comparable(expected[index]) for index in indices]
+    factor = factor_message(exercise.answered, questions, given, right)
     if factor is not None:
         return None, "unit", factor
-    return None, "value", _value_text(exercise.answered, given, right, faults)  # type: ignore[arg-type]
+    return None, "value", _value_text(exercise.answered, given, right, [faults[index] for index in indices])
+
+
+def _comparable(value: Plain) -> Any:
+    """Return what is compared by numbers: an array, or the dict of them that a record is."""
+    return value if isinstance(value, dict) else numeric(value)
 
 
 def _recognised(
@@ -217,19 +227,37 @@ _NEVER, _ALWAYS = np.array([False]), np.array([True])
 def _same_reply(exercise: Exercise, a: Reply, b: Reply) -> np.ndarray:
     """Return for each quantity whether two replies are alike, (k,) of bool; (1,) where they cannot be told apart by quantity."""
     if a.trouble is not None or b.trouble is not None:
-        alike = a.trouble is not None and b.trouble is not None and a.trouble.builtin == b.trouble.builtin
+        alike = a.trouble is not None and b.trouble is not None and _same_trouble(exercise, a.trouble, b.trouble)
         return _ALWAYS if alike else _NEVER
-    first, second = numeric(a.value), numeric(b.value)
-    if first is None or second is None:
-        return _ALWAYS if _same_oddity(a.value, b.value) else _NEVER
-    if first.shape != second.shape:
+    if isinstance(exercise.tolerance, RecordTolerance) and isinstance(a.value, dict) and isinstance(b.value, dict):
+        return np.array([_same_entry(entry, a.value.get(key), b.value.get(key)) for key, entry in exercise.tolerance.entries])
+    return _same_value(exercise.tolerance, a.value, b.value)
+
+
+def _same_trouble(exercise: Exercise, a: Trouble, b: Trouble) -> bool:
+    """Did two answers end in the same error? Where inputs are to be refused, the numbers that the message names count too."""
+    refused = next((error.__name__ for error in exercise.refuses if raises(a, error.__name__)), None)
+    if refused is None:
+        return a.builtin == b.builtin
+    return raises(b, refused) and set(numbers_in(a.message)) <= set(numbers_in(b.message))
+
+
+def _same_entry(tolerance: Tolerance, a: Plain, b: Plain) -> bool:
+    return bool(_same_value(tolerance, a, b).all())
+
+
+def _same_value(tolerance: Tolerance | RecordTolerance, a: Plain, b: Plain) -> np.ndarray:
+    first, second = numeric(a), numeric(b)
+    if first is None or second is None or isinstance(tolerance, RecordTolerance):
+        return _ALWAYS if _same_oddity(a, b) else _NEVER
+    if first.shape != second.shape or (tolerance.double and first.dtype != second.dtype):
         return _NEVER
     finite = np.isfinite(first)
     if finite.all():
-        return exercise.tolerance.quantities_right(second, first)
+        return tolerance.quantities_right(second, first)
     if not np.array_equal(finite, np.isfinite(second)):
         return _NEVER
-    return exercise.tolerance.quantities_right(np.where(finite, second, 0.0), np.where(finite, first, 0.0))
+    return tolerance.quantities_right(np.where(finite, second, 0.0), np.where(finite, first, 0.0))
 
 
 def _same_oddity(a: Plain, b: Plain) -> bool:
@@ -272,9 +300,7 @@ def _standing(drawn: Trial, faults: Sequence[Fault | None]) -> Text:
     return _STANDING.format(right=_names(right), wrong=_names(wrong))
 
 
-def _value_text(
-    answered: Answered, given: Sequence[np.ndarray], right: Sequence[np.ndarray], faults: Sequence[Fault | None]
-) -> Text:
+def _value_text(answered: Answered, given: Sequence[Any], right: Sequence[Any], faults: Sequence[Fault | None]) -> Text:
     """Return what can be said of wrong numbers without giving the right ones: which quantities, and where in a sequence."""
     names = names_of_wrong(answered, [fault for fault in faults if fault is not None])
     wrong, fine = (Text(", ".join(part), "、".join(part)) for part in names)
@@ -285,7 +311,16 @@ def _value_text(
     else:
         text = _NUMBERS
     first = next(index for index, fault in enumerate(faults) if fault is not None)
-    return text + _place(answered.tolerance.entries_right(given[first], right[first]))
+    return text + _place(_entries_right(answered.tolerance, given[first], right[first]))
+
+
+def _entries_right(tolerance: Tolerance | RecordTolerance, given: Any, right: Any) -> np.ndarray:
+    """Return which entries are right, (k, n) of bool; of a record, those of its longest quantities."""
+    if not isinstance(tolerance, RecordTolerance):
+        return tolerance.entries_right(given, right)
+    rows = [entry.entries_right(given[key], right[key]) for key, entry in tolerance.entries]
+    longest = max(row.shape[1] for row in rows)
+    return np.concatenate([row for row in rows if row.shape[1] == longest])
 
 
 def _place(entries: np.ndarray) -> Text:

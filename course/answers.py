@@ -26,7 +26,8 @@ from typing import Any
 import numpy as np
 
 from course.figures import axes_summary, is_axes
-from course.plain import Plain, TimeUp, as_given, class_name, fresh, plain, plain_text, type_name
+from course.given import handed_over
+from course.plain import Built, Plain, TimeUp, as_given, class_name, plain, plain_text, type_name
 
 MAX_PRINTED = 2_000
 MAX_MESSAGE = 500
@@ -149,10 +150,11 @@ def reply_to(answer: Any, question: Question) -> Reply:
     """Put one question to `answer`, with copies of the arguments, and return its reply."""
     if question.symbols:
         return _symbolic_reply(answer, question)
-    given = [fresh(arg) for arg in question.args]
-    value, trouble, printed, warned = _called(answer, given)
+    with handed_over(question.args) as given:
+        value, trouble, printed, warned = _called(answer, given)
     try:
-        after = tuple(as_given(arg) for arg in given)
+        # nobody can tell whether a robot or a file is still what it was, and nothing is seen of it later
+        after = tuple(arg if isinstance(arg, Built) else as_given(now) for arg, now in zip(question.args, given, strict=True))
         return Reply(plain(value), trouble, after, printed, warned)
     except BaseException as error:  # an object that fails while it is read is an answer that fails
         return Reply(None, trouble_of(error), (), printed, warned)

@@ -5,6 +5,7 @@
 
 import json
 from collections.abc import Callable, Sequence
+from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -13,10 +14,11 @@ import numpy as np
 
 from course.answers import Interview, Question
 from course.factors import factor_message
+from course.given import shown_built
 from course.ladder import Answered, Fault, call_fault, entry_fault
 from course.language import Text
-from course.plain import Plain, numeric
-from course.tolerances import Tolerance
+from course.plain import Built, Plain, Refusal, numeric
+from course.tolerances import RecordTolerance, Tolerance
 from course.undisturbed import undisturbed
 from course.verdict import Verdict
 
@@ -53,13 +55,19 @@ def shown_value(value: Plain) -> str:
         return "{" + ", ".join(f"{key!r}: {shown_value(item)}" for key, item in value.items()) + "}"
     if isinstance(value, list):
         return "[" + ", ".join(map(shown_value, value)) + "]"
-    return str(value)[:200]
+    if isinstance(value, Built):
+        return shown_built(value)
+    return value.error if isinstance(value, Refusal) else repr(value)[:200]
 
 
 def stored(value: Plain) -> Any:
     """Return plain data as JSON can hold it; `restored` turns it back."""
     if isinstance(value, np.ndarray):
         return {"array": value.tolist(), "dtype": value.dtype.name}
+    if isinstance(value, Built):
+        return {"built": value.kind, "data": stored(value.data)}
+    if isinstance(value, Refusal):
+        return {"refusal": value.error, "names": value.names}
     if isinstance(value, dict):
         return {"dict": {key: stored(item) for key, item in value.items()}}
     if isinstance(value, list):
@@ -72,8 +80,29 @@ def restored(value: Any) -> Plain:
     if isinstance(value, dict):
         if "array" in value:
             return np.array(value["array"], dtype=value["dtype"])
+        if "built" in value:
+            return Built(value["built"], restored(value["data"]))
+        if "refusal" in value:
+            return Refusal(value["refusal"], value["names"])
         return {key: restored(item) for key, item in value["dict"].items()}
     return [restored(item) for item in value] if isinstance(value, list) else value
+
+
+def stored_tolerance(tolerance: Tolerance | RecordTolerance) -> dict[str, Any]:
+    """Return a tolerance as JSON can hold it."""
+    if isinstance(tolerance, RecordTolerance):
+        return {"entries": {key: asdict(entry) for key, entry in tolerance.entries}}
+    return asdict(tolerance)
+
+
+def _restored_tolerance(data: dict[str, Any]) -> Tolerance | RecordTolerance:
+    if "entries" in data:
+        return RecordTolerance(tuple((key, _tolerance(entry)) for key, entry in data["entries"].items()))
+    return _tolerance(data)
+
+
+def _tolerance(data: dict[str, Any]) -> Tolerance:
+    return Tolerance(**{**data, "angles": tuple(data["angles"])})
 
 
 def _verdict(answered: Answered, questions: Sequence[Question], expected: Sequence[Plain], talk: Interview) -> Verdict:
@@ -96,13 +125,13 @@ def _verdict(answered: Answered, questions: Sequence[Question], expected: Sequen
 def _fault_text(
     answered: Answered, questions: Sequence[Question], expected: Sequence[Plain], talk: Interview, fault: Fault
 ) -> Text:
-    if fault.rung != "value":
+    if fault.rung != "value" or isinstance(answered.tolerance, RecordTolerance):
         return fault.text
     given = [numeric(reply.value) for reply in talk.replies_to(questions)]
     right = [numeric(value) for value in expected]
-    if any(g is None or g.shape != r.shape or not np.isfinite(g).all() for g, r in zip(given, right, strict=True)):  # type: ignore[union-attr]
+    if any(g is None or r is None or g.shape != r.shape or not np.isfinite(g).all() for g, r in zip(given, right, strict=True)):
         return fault.text
-    factor = factor_message(answered, questions, given, right)  # type: ignore[arg-type]
+    factor = factor_message(answered, questions, given, right)
     return fault.text if factor is None else factor + Text("\n", "\n")
 
 
@@ -116,7 +145,7 @@ def _entry(name: str, entry: dict[str, Any]) -> tuple[Answered, list[Question], 
     answered = Answered(
         name,
         tuple(entry["parameters"]),
-        Tolerance(entry["axis"], tuple(entry["angles"])),
+        _restored_tolerance(entry["tolerance"]),
         tuple(entry["quantities"]),
         warnings_are_faults=entry["warnings_are_faults"],
         gear=entry["gear"],

@@ -1,12 +1,15 @@
 """Recognise an answer that is right up to a constant factor: degrees, turns, g, the gear, a half that is missing."""
 
 from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from course.answers import Question
 from course.ladder import Answered
 from course.language import Text
+from course.tolerances import RecordTolerance, Tolerance
 
 _G = 9.80665
 _CONSTANTS: tuple[tuple[float, Text], ...] = (
@@ -45,22 +48,32 @@ _MESSAGE = Text(
 
 
 def factor_message(
-    answered: Answered, questions: Sequence[Question], given: Sequence[np.ndarray], expected: Sequence[np.ndarray]
+    answered: Answered, questions: Sequence[Question], given: Sequence[Any], expected: Sequence[Any]
 ) -> Text | None:
     """Return what to say if every wrong quantity is a known constant times the right one, in all cases; else None.
 
-    `given` and `expected` hold one array for each question, of the same shapes.
+    `given` and `expected` hold one array for each question, of the same shapes. Where they hold dicts of arrays, one entry that
+    is a constant times the right one is enough: the others follow from it in ways of their own.
     """
-    rows = range(len(answered.tolerance.by_quantity(expected[0])))
-    right = np.all([answered.tolerance.quantities_right(g, e) for g, e in zip(given, expected, strict=True)], axis=0)
+    tolerance = answered.tolerance
+    if isinstance(tolerance, RecordTolerance):
+        parts = ((replace(answered, tolerance=entry, quantities=(key,)), key) for key, entry in tolerance.entries)
+        texts = (factor_message(part, questions, _entries(key, given), _entries(key, expected)) for part, key in parts)
+        return next((text for text in texts if text is not None), None)
+    rows = range(len(tolerance.by_quantity(expected[0])))
+    right = np.all([tolerance.quantities_right(g, e) for g, e in zip(given, expected, strict=True)], axis=0)
     if right.all():
         return None
-    found = [(row, _factor(answered, row, questions, given, expected)) for row in rows if not right[row]]
+    found = [(row, _factor(answered.gear, tolerance, row, questions, given, expected)) for row in rows if not right[row]]
     if any(text is None for _, text in found):
         return None
     row, text = found[0]
     assert text is not None
     return _MESSAGE.format(what=_what(answered, row), factor=text)
+
+
+def _entries(key: str, records: Sequence[Any]) -> list[Any]:
+    return [record[key] for record in records]
 
 
 def _what(answered: Answered, row: int) -> Text:
@@ -69,22 +82,19 @@ def _what(answered: Answered, row: int) -> Text:
     return Text("The result", "結果")
 
 
-def _factor(
-    answered: Answered, row: int, questions: Sequence[Question], given: Sequence[np.ndarray], expected: Sequence[np.ndarray]
+def _factor(  # noqa: PLR0913 - the whole evidence on one quantity
+    gear: int | None, tolerance: Tolerance, row: int, questions: Sequence[Question], given: Sequence[Any], expected: Sequence[Any]
 ) -> Text | None:
-    if row in answered.tolerance.angles:
+    if row in tolerance.angles:
         return None
-    pairs = [
-        (answered.tolerance.by_quantity(g)[row], answered.tolerance.by_quantity(e)[row])
-        for g, e in zip(given, expected, strict=True)
-    ]
+    pairs = [(tolerance.by_quantity(g)[row], tolerance.by_quantity(e)[row]) for g, e in zip(given, expected, strict=True)]
     for constant, text in _CONSTANTS:
         if _scaled(pairs, [constant] * len(pairs)):
             return text
-    if answered.gear is not None:
-        gears = [float(question.args[answered.gear]) for question in questions]
+    if gear is not None:
+        gears = [float(question.args[gear]) for question in questions]
         for power, text in _GEAR.items():
-            if _scaled(pairs, [gear**power for gear in gears]):
+            if _scaled(pairs, [ratio**power for ratio in gears]):
                 return text
     return None
 

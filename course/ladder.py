@@ -3,12 +3,14 @@
 It stops at the first rung that breaks. The judge climbs it with cases drawn afresh, a student's bundle with the public examples.
 """
 
+import builtins
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from course.answers import Interview, Question, Reply
+from course.answers import Interview, Question, Reply, Trouble
 from course.explaining import (
     explained_kind,
     explained_mismatch,
@@ -19,8 +21,8 @@ from course.explaining import (
     shown,
 )
 from course.language import Text
-from course.plain import Odd, Plain, identical, numeric
-from course.tolerances import ONE_QUANTITY, Tolerance
+from course.plain import Odd, Plain, Refusal, identical, numeric
+from course.tolerances import ONE_QUANTITY, RecordTolerance, Tolerance
 from course.verdict import RUNGS
 
 
@@ -34,7 +36,7 @@ class Answered:
 
     name: str
     parameters: tuple[str, ...]
-    tolerance: Tolerance = ONE_QUANTITY
+    tolerance: Tolerance | RecordTolerance = ONE_QUANTITY
     quantities: tuple[str, ...] = ()
     warnings_are_faults: bool = False
     gear: int | None = None
@@ -72,21 +74,74 @@ def entry_fault(answered: Answered, interview: Interview) -> Fault | None:
 
 def call_fault(answered: Answered, question: Question, expected: Plain, reply: Reply) -> Fault | None:
     """Return the fault of one call, or None if the reply is right."""
-    if reply.trouble is not None:
+    if isinstance(expected, Refusal):
+        refusal = _refusal_fault(answered, expected, reply)
+        if refusal is not None:
+            return refusal
+    elif reply.trouble is not None:
         return Fault("runs", explained_trouble(answered.name, reply.trouble))
     if reply.inputs is not question.args and not _same_inputs(question.args, reply.inputs):
         return Fault("inputs", _changed_inputs(answered, question, reply), harmless=True)
-    form = _form_fault(expected, reply)
-    if form is not None:
-        return form
-    given, right = numeric(reply.value), numeric(expected)
-    assert given is not None
-    assert right is not None
-    correct = answered.tolerance.quantities_right(given, right)
-    if not correct.all():
-        return Fault("value", Text("", ""), wrong=~correct)
+    if not isinstance(expected, Refusal):
+        fault = _value_fault(answered.tolerance, expected, reply)
+        if fault is not None:
+            return fault
     if answered.warnings_are_faults and reply.warned:
         return Fault("runs", _WARNED.format(name=answered.name, warning=shown(reply.warned[0])), harmless=True)
+    return None
+
+
+def _refusal_fault(answered: Answered, expected: Refusal, reply: Reply) -> Fault | None:
+    """Return what is wrong with a reply to an input that is to be refused, or None."""
+    if reply.trouble is None:
+        return Fault("shape", _NOT_REFUSED.format(error=expected.error))
+    if not raises(reply.trouble, expected.error):
+        return Fault("runs", _REFUSED_OTHERWISE.format(error=expected.error) + explained_trouble(answered.name, reply.trouble))
+    if expected.names and expected.names not in numbers_in(reply.trouble.message):
+        return Fault("value", _NOT_NAMED.format(error=expected.error, message=shown(reply.trouble.message)))
+    return None
+
+
+def raises(trouble: Trouble, error: str) -> bool:
+    """Is the trouble that built-in error, or one derived from it?"""
+    raised = getattr(builtins, trouble.builtin, None)
+    return isinstance(raised, type) and issubclass(raised, getattr(builtins, error))
+
+
+def numbers_in(message: str) -> list[str]:
+    """Return the whole numbers that a message names, as digits."""
+    return re.findall(r"(?a:\d+)", message)
+
+
+def _value_fault(tolerance: Tolerance | RecordTolerance, expected: Plain, reply: Reply) -> Fault | None:
+    """Return what is wrong with form or value of a reply, or None."""
+    if isinstance(tolerance, RecordTolerance):
+        form = _record_fault(tolerance, expected, reply)
+        given, right = reply.value, expected
+    else:
+        form = _form_fault(tolerance, expected, reply)
+        given, right = numeric(reply.value), numeric(expected)
+    if form is not None:
+        return form
+    correct = tolerance.quantities_right(given, right)
+    return None if correct.all() else Fault("value", Text("", ""), wrong=~correct)
+
+
+def _record_fault(tolerance: RecordTolerance, expected: Mapping[str, Plain], reply: Reply) -> Fault | None:
+    """Return what is wrong with the form of a reply that is to be a dict, or None."""
+    value, keys = reply.value, [key for key, _ in tolerance.entries]
+    if not isinstance(value, dict):
+        if value is None:
+            return Fault("shape", explained_none(reply.printed))
+        return Fault("shape", explained_odd(value) if isinstance(value, Odd) else _NOT_A_DICT.format(keys=", ".join(keys)))
+    missing = [key for key in keys if key not in value]
+    if missing:
+        given = shown(", ".join(value)) or "-"
+        return Fault("shape", _NO_ENTRY.format(missing=", ".join(missing), given=given))
+    for key, entry in tolerance.entries:
+        fault = _form_fault(entry, expected[key], Reply(Odd("none", "NoneType") if value[key] is None else value[key]))
+        if fault is not None:
+            return Fault(fault.rung, _IN_ENTRY.format(key=key) + fault.text)
     return None
 
 
@@ -99,7 +154,7 @@ def stands_for_truth(expected: Plain) -> bool:
     return isinstance(expected, bool) or (isinstance(expected, np.ndarray) and expected.dtype.kind == "b")
 
 
-def _form_fault(expected: Plain, reply: Reply) -> Fault | None:
+def _form_fault(tolerance: Tolerance, expected: Plain, reply: Reply) -> Fault | None:
     """Return what is wrong with type, shape or finiteness of a reply, or None."""
     value, right = reply.value, numeric(expected)
     assert right is not None, "an exercise expects numbers"
@@ -116,8 +171,10 @@ def _form_fault(expected: Plain, reply: Reply) -> Fault | None:
         return Fault("shape", _TRUTH)
     if given.shape != right.shape:
         return Fault("shape", _SHAPE.format(given=shape_in_words(given.shape), wanted=shape_in_words(right.shape)))
-    if not np.all(np.isfinite(given)):
+    if not np.all(np.isfinite(given[tolerance.skip :] if tolerance.skip else given)):
         return Fault("shape", _NOT_FINITE.format(what=_not_finite(given)))
+    if tolerance.double and given.dtype != np.float64:
+        return Fault("shape", _NOT_DOUBLE.format(dtype=given.dtype.name))
     return None
 
 
@@ -170,6 +227,36 @@ def names_of_wrong(answered: Answered, faults: Sequence[Fault]) -> tuple[list[st
     return list(names[wrong]), list(names[~wrong])
 
 
+_NOT_REFUSED = Text(
+    "This input must be refused: the docstring asks for raise {error}(...). Your function returned something instead. Which line "
+    "would notice that the input is of no use?",
+    "この入力は受け付けてはいけません。docstringにあるとおり{error}をraiseする必要がありますが、値が返ってきました。"
+    "使えない入力だと気づくのはどの行でしょうか。",
+)
+_REFUSED_OTHERWISE = Text(
+    "This input must be refused with {error}, and another error came. ",
+    "この入力は{error}で断る必要がありますが、別の例外になりました。",
+)
+_NOT_NAMED = Text(
+    "{error} is raised, as it should be, but its message does not name the right line of the file: {message}. Lines are counted "
+    "from 1, and every line of the file counts, comments and blank ones too.",
+    "{error}が出るのは正しいのですが、メッセージにファイルの正しい行番号がありません: {message}。"
+    "行は1から数え、コメント行や空行も1行と数えます。",
+)
+_NOT_A_DICT = Text(
+    "A dict with the entries {keys} is asked for, and something else came back. Look at what the last line returns.",
+    "{keys}という項目をもつdictを返す課題ですが、別の種類の値が返っています。returnの行を確かめてください。",
+)
+_NO_ENTRY = Text(
+    "The dict that comes back has no entry {missing}; it has: {given}. Compare the names with those in the docstring, letter by letter.",
+    "返ってきたdictに項目{missing}がありません。あるのは{given}です。docstringにある名前と1文字ずつ見比べてみましょう。",
+)
+_IN_ENTRY = Text("In the entry '{key}': ", "項目'{key}'について: ")
+_NOT_DOUBLE = Text(
+    "The numbers are {dtype}. Arrays of float64 are asked for: float32 keeps only seven digits, too few for a time stamp, and "
+    "whole numbers overflow or cut off later.",
+    "数値の型が{dtype}になっています。float64の配列が必要です。float32は7桁しか保てないので時刻に足りず、整数型では後の計算であふれたり切り捨てられたりします。",
+)
 _WARNED = Text(
     "{name} gives the right numbers but warns: {warning}. In this exercise a warning is a fault. If it speaks of a division or an "
     "invalid value, something was computed and thrown away: choose the formula before computing, not afterwards.",

@@ -30,6 +30,23 @@ class Odd(NamedTuple):
     type_name: str
 
 
+class Built(NamedTuple):
+    """An input that is no plain data itself: what it is, and the plain data that it is made of (course.given builds it)."""
+
+    kind: str
+    data: Plain
+
+
+class Refusal(NamedTuple):
+    """What is expected of an answer whose input is to be refused: the built-in error, and a number that its message must name.
+
+    `names` is "" where any message will do.
+    """
+
+    error: str
+    names: str = ""
+
+
 class TimeUp(BaseException):
     """Raised inside an answer that takes too long; not an Exception, so that `except Exception` does not swallow it."""
 
@@ -151,6 +168,8 @@ def identical(a: Plain, b: Plain) -> bool:
     """Are the two plain values the same to the bit, types and shapes included?"""
     if type(a) is not type(b):
         return False
+    if isinstance(a, Built):
+        return a.kind == b.kind and identical(a.data, b.data)
     if isinstance(a, np.ndarray):
         return a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
     if isinstance(a, list):

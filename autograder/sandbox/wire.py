@@ -16,7 +16,7 @@ import numpy as np
 
 from autograder.sandbox.limited_json import has_more_parts, limited_json
 from course.answers import Interview, Missing, Question, Reply, Trouble
-from course.plain import MAX_DEPTH, Odd, Plain, identical
+from course.plain import MAX_DEPTH, Built, Odd, Plain, identical
 
 MAX_JSON = 16 * 2**20
 MAX_ARRAYS = 64 * 2**20
@@ -101,6 +101,8 @@ def _packed(value: Plain, blobs: list[bytes]) -> Any:
         return {"@": "array", "dtype": value.dtype.name, "shape": list(value.shape)}
     if isinstance(value, Odd):
         return {"@": "odd", "kind": value.kind, "type_name": value.type_name}
+    if isinstance(value, Built):
+        return {"@": "built", "kind": value.kind, "data": _packed(value.data, blobs)}
     if isinstance(value, dict):
         return {"@": "dict", "items": [[str(key), _packed(item, blobs)] for key, item in value.items()]}
     if isinstance(value, list | tuple):
@@ -124,6 +126,8 @@ def _unpacked(value: Any, arrays: _Arrays, depth: int) -> Plain:
             return arrays.take(dtype, shape)
         case {"@": "odd", "kind": str(kind), "type_name": str(type_name)}:
             return Odd(_encodable(kind[:80]), _encodable(type_name[:80]))
+        case {"@": "built", "kind": str(kind), "data": data}:
+            return Built(_encodable(kind[:80]), _unpacked(data, arrays, depth + 1))
         case {"@": "dict", "items": list(items)}:
             return dict(_item(item, arrays, depth) for item in items)
     raise WireError("no such kind of value")

@@ -92,7 +92,8 @@ def test_both_editions_have_the_same_graded_cells(built):
 def test_public_examples(built):
     entry = json.loads((built / "course/examples.json").read_bytes())["pose_step"]
     assert entry["parameters"] == ["pose", "distance", "dtheta"]
-    assert (entry["axis"], entry["angles"], entry["gear"], entry["warnings_are_faults"]) == (-1, [], None, False)
+    assert (entry["tolerance"]["axis"], entry["tolerance"]["angles"]) == (-1, [])
+    assert (entry["gear"], entry["warnings_are_faults"]) == (None, False)
     first = entry["examples"][0]
     assert restored(first["args"][1]) == 0.5
     assert restored(first["result"]) == pytest.approx([1 + 0.5 * 3**0.5 / 2, 2.25, 0.1 + 3.141592653589793 / 6], rel=1e-15)

@@ -12,14 +12,14 @@ from hypothesis.extra import numpy as hnp
 
 from course import examples
 from course.answers import Interview, Missing, Reply, interview
-from course.examples import restored, shown_value, stored, verdict_from_examples
-from course.plain import as_given, identical
+from course.examples import restored, shown_value, stored, stored_tolerance, verdict_from_examples
+from course.plain import Built, Refusal, as_given, identical
+from course.tolerances import LAST_AXIS, ONE_QUANTITY
 
 ENTRIES = {
     "double": {
         "parameters": ["values"],
-        "axis": -1,
-        "angles": [],
+        "tolerance": stored_tolerance(LAST_AXIS),
         "quantities": ["a", "b"],
         "warnings_are_faults": False,
         "gear": None,
@@ -30,8 +30,7 @@ ENTRIES = {
     },
     "span": {
         "parameters": ["log", "gear"],
-        "axis": None,
-        "angles": [],
+        "tolerance": stored_tolerance(ONE_QUANTITY),
         "quantities": [],
         "warnings_are_faults": True,
         "gear": 1,
@@ -163,9 +162,11 @@ SHOWN = [
     (True, "True"),
     (np.array([1.0, 2.5]), "[1. , 2.5]"),
     (np.array([[1.0, 2.0], [3.0, 4.0]]), "[[1., 2.], [3., 4.]]"),
-    ([1, "a", None], "[1, a, None]"),
+    ([1, "a", None], "[1, 'a', None]"),
     ({"t": [0.5], "n": 2}, "{'t': [0.5], 'n': 2}"),
-    ("a" * 300, "a" * 200),
+    ("a" * 300, "'" + "a" * 199),
+    (Built("integrand", {"powers": np.array([1.0, 0.5]), "waves": np.zeros((0, 3))}), "f(x) = 1 + 0.5 x"),
+    (Refusal("ValueError", "7"), "ValueError"),
     (None, "None"),
 ]
 
