@@ -21,7 +21,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if Path(__file__).parent in item.path.parents:
             test = f"{item.path.stem}::{getattr(item, 'originalname', item.name)}"
-            if test in seen and not item.get_closest_marker("slow"):
+            # some modules compare the submissions of one class with one another
+            if test in seen and not getattr(item.module, "ONE_CLASS", False):  # type: ignore[attr-defined]
                 item.add_marker(pytest.mark.slow)
             seen.add(test)
             item.add_marker(pytest.mark.xdist_group(item.path.stem + (" variants" if is_variant(item) else "")))
