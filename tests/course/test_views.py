@@ -13,13 +13,13 @@ from matplotlib.patches import Circle, Wedge
 from course import language
 from course.drawings.encoders import quadrature_bits
 from course.plotting import Colour, new_sketch
-from course.views import drive, encoders, film, pose_update, view
+from course.views import drive, encoders, film, integration, pose_update, view
 
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 WIDGET = "application/vnd.jupyter.widget-view+json"
 LINE = np.column_stack([np.linspace(0, 2, 500), np.zeros(500), np.zeros(500)])
 
-VIEWS = [pose_update.step_view, encoders.wheels_view]
+VIEWS = [pose_update.step_view, encoders.wheels_view, integration.step_size_view]
 FILMS: list[Callable[[], film.Film]] = [encoders.encoder_animation, lambda: drive.drive_animation(LINE)]
 
 
@@ -60,7 +60,7 @@ def test_sliders_redraw_the_image_and_the_picture_stays_for_static_pages(made: C
         slider.value = slider.min
         assert image.value != before
         assert "alt=" in image.value
-        assert re.search(r"\[(m|deg|m/s)\]", slider.description)
+        assert re.search(r"\[(m|deg|m/s|s)\]", slider.description)
         assert bool(KANA_OR_KANJI.search(slider.description)) is (chosen == "ja")
 
 
@@ -86,6 +86,20 @@ def test_wheels_view_drives_the_circle_that_the_speeds_define() -> None:
     middle = next(line for line in axes.get_lines() if to_hex(line.get_color()) == Colour.INK).get_xydata()
     assert np.hypot(middle[:, 0], middle[:, 1] - 0.5) == pytest.approx(0.5, abs=1e-5)
     assert middle[-1] == pytest.approx([0.5 * np.sin(1.6), 0.5 - 0.5 * np.cos(1.6)], abs=1e-5)
+
+
+def test_rules_converge_to_the_true_drive_with_their_orders() -> None:
+    steps = (0.05, 0.1, 0.2)
+    errors = [integration.errors_at_the_end(step) for step in steps]
+    for rule, order in (("euler", 1), ("trapezoid", 2), ("midpoint", 2)):
+        slope = np.polyfit(np.log(steps), np.log([error[rule] for error in errors]), 1)[0]
+        assert slope == pytest.approx(order, abs=0.02)
+
+
+def test_the_last_step_of_the_drive_is_what_the_others_leave() -> None:
+    assert integration.stamps(1.0) == pytest.approx([0, 1, 2, 3, 4])
+    assert integration.stamps(0.8)[-1] == integration.SECONDS
+    assert integration.stamps(0.75) == pytest.approx([0, 0.75, 1.5, 2.25, 3, 3.75, 4])
 
 
 @pytest.mark.parametrize("tread", [0, -0.3045, float("nan"), float("inf")])
