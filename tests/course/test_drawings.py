@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from course import language
-from course.drawings import encoders, pose_update
+from course.drawings import encoders, frames, pose_update
 from course.drawings.robot import draw_robot
 from course.plotting import new_sketch
 
@@ -22,6 +22,12 @@ DRAWINGS = [
     encoders.mirrored_motors,
     encoders.counter_wrap,
     encoders.signed_tread,
+    frames.point_in_two_frames,
+    frames.chain_of_frames,
+    frames.ypspur_frames,
+    frames.axes_of_slides_003,
+    frames.half_tread,
+    frames.compass_and_heading,
 ]
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 
