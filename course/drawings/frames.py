@@ -130,7 +130,7 @@ def ypspur_frames() -> "Figure":
     write(axes, start + (3.3 - 0.42j) * unit_vector(heading), Text("line", "追従する直線"), Colour.SENSOR_FRAME, 12)
     robot = start + (2.3 + 0.5j) * unit_vector(heading)
     stand(axes, robot, 0, faint=True)
-    _draw_frame(axes, robot, 0, "FS", -0.45 + 0.62j)
+    _draw_frame(axes, robot, 0, "FS", -0.75 + 0.65j)
     _draw_tree(axes)
     return figure_of(axes)
 
