@@ -120,7 +120,7 @@ def chain_of_frames() -> "Figure":
 )
 def ypspur_frames() -> "Figure":
     """Draw the frames of YP-Spur, which of them lies in which, and the line that hangs on SP (notes 001, figure 2)."""
-    axes = new_sketch((-0.9, 12.6), (-1.6, 5.0), width=8.0)
+    axes = new_sketch((-0.9, 12.6), (-0.95, 5.0), width=8.0)
     _draw_frame(axes, 0, 0, "BS")
     _draw_frame(axes, 0.9 + 2.7j, 12, "GL")
     _draw_frame(axes, 4.2 + 3.2j, 60, "LC")
