@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from course import language
-from course.drawings import encoders, integration, pose_update
+from course.drawings import encoders, frames, integration, pose_update
 from course.drawings.robot import draw_robot
 from course.plotting import new_sketch
 
@@ -26,6 +26,12 @@ DRAWINGS = [
     integration.last_trapezoid,
     integration.uneven_stamps,
     integration.samples_and_means,
+    frames.point_in_two_frames,
+    frames.chain_of_frames,
+    frames.ypspur_frames,
+    frames.axes_of_slides_003,
+    frames.half_tread,
+    frames.compass_and_heading,
 ]
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 

@@ -13,14 +13,14 @@ from matplotlib.patches import Circle, Wedge
 from course import language
 from course.drawings.encoders import quadrature_bits
 from course.plotting import Colour, new_sketch
-from course.views import drive, encoders, film, integration, pose_update, view
+from course.views import drive, encoders, film, frames, integration, pose_update, view
 
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 WIDGET = "application/vnd.jupyter.widget-view+json"
 LINE = np.column_stack([np.linspace(0, 2, 500), np.zeros(500), np.zeros(500)])
 
-VIEWS = [pose_update.step_view, encoders.wheels_view, integration.step_size_view]
-FILMS: list[Callable[[], film.Film]] = [encoders.encoder_animation, lambda: drive.drive_animation(LINE)]
+VIEWS = [pose_update.step_view, encoders.wheels_view, integration.step_size_view, frames.point_view]
+FILMS: list[Callable[[], film.Film]] = [encoders.encoder_animation, lambda: drive.drive_animation(LINE), frames.line_animation]
 
 
 @pytest.fixture(params=["en", "ja"])
@@ -109,7 +109,7 @@ def test_wheels_view_refuses_a_tread_that_is_no_length(tread: float, chosen: str
     assert bool(KANA_OR_KANJI.search(str(caught.value))) is (chosen == "ja")
 
 
-@pytest.mark.parametrize("made", FILMS, ids=["encoder", "drive"])
+@pytest.mark.parametrize("made", FILMS, ids=["encoder", "drive", "line"])
 def test_films_need_no_network_and_speak_the_chosen_language(
     made: Callable[[], film.Film], chosen: str, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -127,6 +127,42 @@ def test_films_need_no_network_and_speak_the_chosen_language(
     assert bool(KANA_OR_KANJI.search(shown.still.alt)) is (chosen == "ja")
     assert not caplog.records
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "heading", "says"),
+    [
+        (0, 0, 0, "u = 1.20 m, v = 0.80 m"),
+        (1.2, 0.8, 45, "u = 0.00 m, v = 0.00 m"),
+        (1.2, -0.2, 90, "u = 1.00 m, v = 0.00 m"),
+        (0.2, 0.8, -90, "u = 0.00 m, v = 1.00 m"),
+        (0, 0, 180, "u = -1.20 m, v = -0.80 m"),
+    ],
+)
+def test_point_view_tells_where_the_frame_sees_the_post(
+    monkeypatch: pytest.MonkeyPatch, x: float, y: float, heading: float, says: str
+) -> None:
+    monkeypatch.setattr(language, "_chosen", "en")
+    assert says in frames._picture_of_post(x, y, heading).alt
+
+
+def test_robot_of_the_film_keeps_its_line_after_set_and_swerves_to_the_moved_line_after_adjust() -> None:
+    (kept, moved), (swerved, also_moved) = frames.driven(moves_line=False), frames.driven(moves_line=True)
+    call = frames.CALL_AFTER * frames.STEPS_PER_FRAME
+    assert moved == also_moved
+    assert kept[:, 1:] == pytest.approx(0, abs=1e-12)
+    assert swerved[: call + 1] == pytest.approx(kept[: call + 1])
+    end = (complex(*swerved[-1, :2]) - moved.origin) / moved.forward
+    assert end.imag == pytest.approx(0, abs=0.01)
+    assert np.exp(1j * swerved[-1, 2]) == pytest.approx(moved.forward, abs=0.02)
+
+
+def test_the_call_of_the_film_puts_the_robot_where_it_was_told() -> None:
+    path, moved = frames.driven(moves_line=False)
+    x, y, theta = path[frames.CALL_AFTER * frames.STEPS_PER_FRAME]
+    told = (complex(x, y) - moved.origin) / moved.forward
+    assert (told.real, told.imag) == pytest.approx(frames.CALLED_WITH[:2])
+    assert np.exp(1j * theta) / moved.forward == pytest.approx(np.exp(1j * frames.CALLED_WITH[2]))
 
 
 def test_a_sensor_is_lit_exactly_when_a_slit_is_before_it() -> None:
