@@ -92,7 +92,7 @@ def _picture_of_paths(
             dot(axes, points[-1], colour, 8)
         end, turned = path[-1] - truth[-1], math.degrees(path[-1, 2] - truth[-1, 2])
         gap = path[-1] - path[0]
-        numbers = {"end": math.hypot(end[0], end[1]), "turned": turned + 0.0, "closing": math.hypot(gap[0], gap[1])}
+        numbers = {"end": math.hypot(end[0], end[1]), "turned": round(turned, 1) + 0.0, "closing": math.hypot(gap[0], gap[1])}
         report(figure, [(text.format(**numbers), colour) for text, colour in REPORT])
         named = dict(zip(("radius", "right", "tread"), errors, strict=True))
         return Picture(figure, PATHS_ALT.format(**numbers, **named))
