@@ -6,6 +6,7 @@ Runs the solution cells of `source/odometry/wheel_odometry.md` on every clean lo
 compares them with the simulator's truth. The table stands behind the rubric of `odometry_discussion`.
 """
 
+import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -70,7 +71,7 @@ def _graphs(recipe: Recipe, cells: dict[str, str]) -> tuple[np.ndarray, ...]:
     """Return what the three graphs show, (N, 2) each: x and y [m], time [s] and yaw [rad], time and speed [m/s]."""
     from matplotlib import pyplot as plt
 
-    names: dict[str, Any] = {"np": np, "plt": plt}
+    names: dict[str, Any] = {"np": np, "plt": plt, "re": re}
     for name in PROGRAM:
         exec(cells[name], names)
     log = names["read_encoder_log"](data_path(f"{recipe.name}.dat"))
