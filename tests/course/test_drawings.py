@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from course import language
-from course.drawings import encoders, frames, integration, pose_update
+from course.drawings import encoders, frames, integration, pose_update, wheel_odometry
 from course.drawings.robot import draw_robot
 from course.plotting import new_sketch
 
@@ -32,6 +32,11 @@ DRAWINGS = [
     frames.axes_of_slides_003,
     frames.half_tread,
     frames.compass_and_heading,
+    wheel_odometry.practical,
+    wheel_odometry.log_rows,
+    wheel_odometry.lost_cycles,
+    wheel_odometry.poor_graphs,
+    wheel_odometry.umbmark_squares,
 ]
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 
@@ -103,6 +108,21 @@ def test_means_lie_on_the_speed_half_an_interval_before_their_ends() -> None:
     means = next(line for line in integration.samples_and_means().figure.axes[1].get_lines() if line.get_marker() == "s")
     ends, levels = means.get_xydata().T
     assert levels == pytest.approx(integration._speed(ends - 0.5))
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_square_with_the_right_parameters_closes(way: int) -> None:
+    path = wheel_odometry._driven_square(way, wheel_ratio=1.0, tread_ratio=1.0)
+    assert path[-1] == pytest.approx(0, abs=1e-9)
+    assert path[440] == pytest.approx(4 + 4j * way)
+
+
+def test_a_wrong_tread_mirrors_the_returns_and_unequal_wheels_do_not() -> None:
+    ends = [wheel_odometry._driven_square(way, 1.0, 0.94)[-1] for way in (1, -1)]
+    assert ends[0] == pytest.approx(np.conj(ends[1]))
+    left, right = (wheel_odometry._driven_square(way, 1.012, 1.0)[-1].real for way in (1, -1))
+    assert left > 0.5
+    assert right < -0.5
 
 
 def test_robot_looks_where_its_heading_points() -> None:

@@ -13,13 +13,29 @@ from matplotlib.patches import Circle, Wedge
 from course import language
 from course.drawings.encoders import quadrature_bits
 from course.plotting import Colour, new_sketch
-from course.views import drive, encoders, film, frames, integration, pose_update, view
+from course.robots import BEEGO, ICART, Robot
+from course.views import drive, encoders, film, frames, integration, pose_update, view, wheel_odometry
 
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 WIDGET = "application/vnd.jupyter.widget-view+json"
 LINE = np.column_stack([np.linspace(0, 2, 500), np.zeros(500), np.zeros(500)])
 
-VIEWS = [pose_update.step_view, encoders.wheels_view, integration.step_size_view, frames.point_view]
+HALF_CIRCLE = np.linspace(0, np.pi, 101)
+HALF_CIRCLE_LOG = {"time": HALF_CIRCLE, "counter1": [300.0] * 101, "counter2": [-100] * 101}
+
+
+def sums(log: dict[str, np.ndarray], robot: Robot) -> dict[str, np.ndarray]:
+    """Return a path that depends on all that a calibration can change."""
+    right, left = (robot.radius * np.cumsum(log[f"counter{number}"]) for number in (1, 2))
+    return {"x": right - left, "y": np.sin(right / 10), "theta": (right + left) / robot.tread}
+
+
+def calibration_view(robot: Robot = ICART) -> view.View:
+    log = {name: np.asarray(values, dtype=float) for name, values in HALF_CIRCLE_LOG.items()}
+    return wheel_odometry.calibration_view(sums, HALF_CIRCLE_LOG, sums(log, robot), robot)
+
+
+VIEWS = [pose_update.step_view, encoders.wheels_view, integration.step_size_view, frames.point_view, calibration_view]
 FILMS: list[Callable[[], film.Film]] = [encoders.encoder_animation, lambda: drive.drive_animation(LINE), frames.line_animation]
 
 
@@ -60,7 +76,7 @@ def test_sliders_redraw_the_image_and_the_picture_stays_for_static_pages(made: C
         slider.value = slider.min
         assert image.value != before
         assert "alt=" in image.value
-        assert re.search(r"\[(m|deg|m/s|s)\]", slider.description)
+        assert re.search(r"\[(m|deg|m/s|s|%)\]", slider.description)
         assert bool(KANA_OR_KANJI.search(slider.description)) is (chosen == "ja")
 
 
@@ -100,6 +116,39 @@ def test_the_last_step_of_the_drive_is_what_the_others_leave() -> None:
     assert integration.stamps(1.0) == pytest.approx([0, 1, 2, 3, 4])
     assert integration.stamps(0.8)[-1] == integration.SECONDS
     assert integration.stamps(0.75) == pytest.approx([0, 0.75, 1.5, 2.25, 3, 3.75, 4])
+
+
+def test_calibration_view_starts_on_the_truth_and_leaves_the_log_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(language, "_chosen", "en")
+    assert "it ends 0.00 m and +0.0 degrees from the truth" in calibration_view().picture.alt
+    assert HALF_CIRCLE_LOG["counter1"] == [300.0] * 101
+
+
+@pytest.mark.usefixtures("kernel")
+@pytest.mark.parametrize("robot", [ICART, BEEGO])
+def test_calibration_view_makes_the_parameters_wrong_that_its_sliders_name(robot: Robot) -> None:
+    asked = []
+
+    def program(log: dict[str, np.ndarray], assumed: Robot) -> dict[str, np.ndarray]:
+        ratios = (assumed.radius / robot.radius, assumed.tread / robot.tread, log["counter1"][1] / 300, log["counter2"][1] / -100)
+        asked.append([round(float(ratio), 9) for ratio in ratios])
+        return dict.fromkeys(("x", "y", "theta"), HALF_CIRCLE)
+
+    truth = dict.fromkeys(("x", "y", "theta"), HALF_CIRCLE)
+    both, right, tread, _ = wheel_odometry.calibration_view(program, HALF_CIRCLE_LOG, truth, robot).controls.children
+    both.value, right.value, tread.value = 5, -1, 2.5
+    assert asked[0] == [1, 1, 1, 1]
+    assert asked[-1] == [1.05, 1.025, 0.99, 1]
+
+
+@pytest.mark.parametrize(
+    "wrong", [None, {}, {"x": 0, "y": 0, "theta": 0}, dict.fromkeys(("x", "y", "theta"), HALF_CIRCLE * np.nan)]
+)
+def test_calibration_view_says_what_a_program_has_to_return(wrong: object, chosen: str) -> None:
+    truth = dict.fromkeys(("x", "y", "theta"), HALF_CIRCLE)
+    with pytest.raises(ValueError, match="dict") as caught:
+        wheel_odometry.calibration_view(lambda log, robot: wrong, HALF_CIRCLE_LOG, truth, ICART)  # type: ignore[arg-type,return-value]
+    assert bool(KANA_OR_KANJI.search(str(caught.value))) is (chosen == "ja")
 
 
 @pytest.mark.parametrize("tread", [0, -0.3045, float("nan"), float("inf")])
