@@ -36,7 +36,8 @@ class Tolerance:
         right = self.by_quantity(expected)
         errors = np.abs(self.by_quantity(given) - right)
         limits = self.absolute + self.relative * np.abs(right).max(axis=1, initial=0.0, keepdims=True)
-        for row in self.angles:
+        # answers of too few quantities are compared too, with mistakes that leave out as many
+        for row in (angle for angle in self.angles if angle < len(errors)):
             errors[row] = np.minimum(errors[row] % (2 * np.pi), -errors[row] % (2 * np.pi))
             limits[row] = ANGLE
         errors[:, : self.skip] = 0
