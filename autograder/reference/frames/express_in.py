@@ -17,25 +17,25 @@ def reference(pose, frame):
 
 
 def cases(rng):
-    """Draw pairs of poses; each main group holds a heading in the third quadrant, where arctan, arcsin and arccos all fail."""
+    """Draw pairs of poses; the main groups hold headings in the third and the second quadrant, where arctan, arcsin or arccos fail."""
 
-    def pair(side, turns=0, backwards=False):
+    def pair(side, turns=0, backwards=0):
         def draw():
             seen, frame = pose(rng), pose(rng)
             frame[2] = side * (abs(frame[2]) + 2 * np.pi * turns)
             if backwards:
-                seen[2] = side * np.pi + rng.uniform(0.3, 1.2) + frame[2]
+                seen[2] = side * np.pi + backwards * rng.uniform(0.3, 1.2) + frame[2]
             return seen, frame
 
         return until(draw, clear_of_zero)
 
     def turned(side):
-        return [pair(side, backwards=True), pair(side), pair(side)]
+        return [pair(side, backwards=1), pair(side, backwards=-1), pair(side)]
 
     def whole():
         return rng.integers(1, 6, 3) * rng.choice([-1, 1], 3), rng.integers(1, 6, 3) * rng.choice([-1, 1], 3)
 
-    far = [pair(side, turns=1, backwards=True) for side in rng.permutation([1, -1])]
+    far = [pair(side, turns=1, backwards=1) for side in rng.permutation([1, -1])]
     listed = until(lambda: (pose(rng).tolist(), pose(rng).tolist()), clear_of_zero)
     observer = until(lambda: (np.zeros(3), pose(rng)), clear_of_zero)
     return [

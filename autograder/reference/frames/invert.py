@@ -17,15 +17,14 @@ def reference(a):
 
 
 def cases(rng):
-    """Draw poses turned to either side; each main group holds one that looks backwards, where arctan, arcsin and arccos fail."""
+    """Draw poses turned to either side; in the main groups the inverse looks backwards to both sides, where arctan, arcsin or arccos fail."""
 
-    def turned(side, turns=0, backwards=False):
+    def turned(side, turns=0, backwards=0):
         def draw():
             a = pose(rng)
             a[2] = side * (abs(a[2]) + 2 * np.pi * turns)
             if backwards:
-                # the inverse looks into the third quadrant
-                a[2] = side * np.pi - rng.uniform(0.3, 1.2) + 2 * np.pi * side * turns
+                a[2] = side * np.pi - backwards * rng.uniform(0.3, 1.2) + 2 * np.pi * side * turns
             return (a,)
 
         return until(draw, clear_of_zero)
@@ -34,12 +33,18 @@ def cases(rng):
         return (rng.integers(1, 6, 3) * rng.choice([-1, 1], 3),)
 
     return [
-        Group(Text("frames turned to the left", "左に回った座標系"), 3, [turned(1, backwards=True), turned(1), turned(1)]),
-        Group(Text("frames turned to the right", "右に回った座標系"), 3, [turned(-1, backwards=True), turned(-1), turned(-1)]),
+        Group(
+            Text("frames turned to the left", "左に回った座標系"), 3, [turned(1, backwards=1), turned(1, backwards=-1), turned(1)]
+        ),
+        Group(
+            Text("frames turned to the right", "右に回った座標系"),
+            3,
+            [turned(-1, backwards=1), turned(-1, backwards=-1), turned(-1)],
+        ),
         Group(
             Text("headings beyond one turn", "1 回転を超える方位"),
             1,
-            [turned(side, 1, backwards=True) for side in rng.permutation([1, -1])],
+            [turned(side, 1, backwards=1) for side in rng.permutation([1, -1])],
         ),
         Group(
             Text("only shifted, or only turned", "平行移動だけ、または回転だけ"),
