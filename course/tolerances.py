@@ -1,5 +1,6 @@
 """How close is right. Every tolerance of the course lives in this module."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -49,7 +50,8 @@ class Tolerance:
         if self.axis is None or values.ndim == 0:
             return values.reshape(1, -1)
         if self.axis == -1:
-            return values.reshape(-1, values.shape[-1]).T
+            # the number of rows is written out: -1 stands for none where a row is empty
+            return values.reshape(math.prod(values.shape[:-1]), values.shape[-1]).T
         rows = np.moveaxis(values, self.axis, 0)
         return rows.reshape(rows.shape[0], -1)
 
