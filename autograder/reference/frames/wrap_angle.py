@@ -31,10 +31,14 @@ def cases(rng):
 
     mixed = array([0, 1, -1, 2, -2], int(rng.integers(6, 10)))
     # none of these is within 0.1 of a multiple of pi
-    whole = [int(rng.choice([4, 5, 8, 10, 14])), int(rng.choice([-4, -5, -8, -11, -14]))]
+    whole = int(rng.choice([-14, -11, -8, -5, -4, 4, 5, 8, 10, 14]))
     listed = rng.choice([-14, -8, -4, -2, 1, 2, 4, 5, 10, 14], int(rng.integers(4, 7)))
     return [
-        Group(Text("angles within half a turn already", "はじめから ±π の範囲にある角度"), 1, [(a,) for a in in_both_halves(0)]),
+        Group(
+            Text("angles within half a turn already", "はじめから ±π の範囲にある角度"),
+            1,
+            [(angle(0),), (np.array(in_both_halves(0)),)],
+        ),
         Group(Text("one turn too many", "1 回転多い角度"), 2, [(a,) for a in (*in_both_halves(1)[:2], *in_both_halves(-1)[2:])]),
         Group(Text("several turns", "何回転もした角度"), 2, [(angle(3),), (angle(-3),), (array([2, -2, 3, -3], 5),)]),
         Group(
@@ -45,7 +49,7 @@ def cases(rng):
         Group(
             Text("whole numbers and lists", "整数やリスト"),
             1,
-            [(whole[0],), (whole[1],), (listed,), (array([1, -2, 0], 4).tolist(),)],
+            [(whole,), (listed,), (array([1, -2, 0], 4).tolist(),)],
         ),
         Group(Text("exactly pi", "ちょうど π"), 1, [(math.pi,), (np.array([angle(0), math.pi, angle(1)]),)]),
     ]
