@@ -44,7 +44,7 @@ def cases(rng):
         return frames | {"FS": np.zeros(3), "GL": np.zeros(3)}, wanted
 
     def rotating(frames, wanted):
-        """Does neither GL nor SP come out in whole numbers again?"""
+        """Tell whether neither GL nor SP comes out in whole numbers again."""
         return clear_of_zero(frames, wanted) and frames["FS"][2] - wanted[2] not in (0, frames["GL"][2])
 
     listed, wanted = telling(1)
