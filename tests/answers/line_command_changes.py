@@ -51,7 +51,7 @@ class LineCommand:
     def __call__(self, kind):
         if not isinstance(kind, str):
             raise UnknownKindError("a text is needed")
-        if kind != "set" and kind != "adjust":
+        if kind not in ("set", "adjust"):
             raise UnknownKindError(kind)
         return kind != "set"
 
@@ -71,10 +71,7 @@ def exchanged(kind):
 
 
 def else_adjust(kind):
-    if kind == "set":
-        return False
-    else:
-        return True
+    return kind != "set"
 
 
 def else_set(kind):
@@ -100,7 +97,7 @@ def or_condition(kind):
 
 
 def or_word(kind):
-    if kind == "set" or "adjust":  # noqa: PLR0133, SIM222 - the mistake itself
+    if kind == "set" or "adjust":  # noqa: SIM222 - the mistake itself
         return kind == "adjust"
     raise ValueError(kind)
 

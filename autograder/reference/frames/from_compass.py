@@ -84,6 +84,10 @@ def all_in_degrees(x, y, theta):
     return x, y, 90 - np.rad2deg(theta)
 
 
+def degrees_of_the_compass_card(x, y, theta):
+    return x, y, (90 - np.rad2deg(theta)) % 360
+
+
 def taken_for_degrees(x, y, theta):
     return x, y, np.pi / 2 - np.deg2rad(theta)
 
@@ -272,6 +276,14 @@ EXERCISE = Exercise(
             Text(
                 "The heading comes back in degrees. The course computes in rad throughout.",
                 "方位が度で返っています。この講義では角度をすべて rad で扱います。",
+            ),
+        ),
+        Mistake(
+            degrees_of_the_compass_card,
+            Text(
+                "The heading comes back in degrees from 0 to 360, as a compass card shows it. The course computes in rad "
+                "throughout.",
+                "方位が 0〜360 の度で返っています。この講義では角度をすべて rad で扱います。",
             ),
         ),
         Mistake(

@@ -108,6 +108,14 @@ def error_returned(kind):
     return ValueError("neither set nor adjust")
 
 
+def error_class_returned(kind):
+    if kind == "set":
+        return False
+    if kind == "adjust":
+        return True
+    return ValueError
+
+
 def text_returned_for_others(kind):
     if kind == "set":
         return False
@@ -166,6 +174,24 @@ def capitals_and_blanks_accepted(kind):
     if str(kind).strip().lower() not in ("set", "adjust"):
         raise ValueError("neither set nor adjust")
     return str(kind).strip().lower() == "adjust"
+
+
+def capitals_accepted_and_no_text_fails(kind):
+    if kind.lower() not in ("set", "adjust"):
+        raise ValueError("neither set nor adjust")
+    return kind.lower() == "adjust"
+
+
+def blanks_accepted_and_no_text_fails(kind):
+    if kind.strip() not in ("set", "adjust"):
+        raise ValueError("neither set nor adjust")
+    return kind.strip() == "adjust"
+
+
+def capitals_and_blanks_accepted_and_no_text_fails(kind):
+    if kind.strip().lower() not in ("set", "adjust"):
+        raise ValueError("neither set nor adjust")
+    return kind.strip().lower() == "adjust"
 
 
 def only_the_first_letter_read(kind):
@@ -322,9 +348,12 @@ EXERCISE = Exercise(
             everything_else_is_set,
             Text(
                 "set and adjust are right, but everything else counts as set. A misspelt word must not pass silently: the "
-                "docstring asks for a ValueError.",
+                'docstring asks for a ValueError. (Python reads kind == "set" or "adjust" as (kind == "set") or "adjust", '
+                "which is always true.)",
                 "set と adjust は合っていますが、それ以外がすべて set として扱われています。書き間違いを"
-                "黙って通してはいけません。docstring のとおり ValueError にしましょう。",
+                "黙って通してはいけません。docstring のとおり ValueError にしましょう。"
+                '(kind == "set" or "adjust" という条件は'
+                ' (kind == "set") or "adjust" と解釈され、いつも真になります。)',
             ),
         ),
         Mistake(
@@ -357,9 +386,9 @@ EXERCISE = Exercise(
         Mistake(
             nothing_returned_for_others,
             Text(
-                "set and adjust are right, but for anything else the function ends without a word and returns None. Is there "
-                "a line that raises the ValueError?",
-                "set と adjust は合っていますが、それ以外では何も起きずに None が返っています。"
+                "set and adjust are right, but for anything else the function ends without an error and returns None. Is "
+                "there a line that raises the ValueError?",
+                "set と adjust は合っていますが、それ以外では例外が起きずに None が返っています。"
                 "ValueError を発生させる行がありますか。",
             ),
         ),
@@ -370,6 +399,15 @@ EXERCISE = Exercise(
                 "which keyword does that?",
                 "set と adjust は合っていますが、ValueError を値として return しています。例外は"
                 "返すのではなく発生させます。どのキーワードを使いますか。",
+            ),
+        ),
+        Mistake(
+            error_class_returned,
+            Text(
+                "set and adjust are right, but the class ValueError is returned like a value. An error is not returned but "
+                "raised: which keyword does that?",
+                "set と adjust は合っていますが、ValueError というクラスを値として return しています。"
+                "例外は返すのではなく発生させます。どのキーワードを使いますか。",
             ),
         ),
         Mistake(
@@ -448,6 +486,36 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            capitals_accepted_and_no_text_fails,
+            Text(
+                "Capital letters are accepted (lower), and None or a number ends in an AttributeError, because only texts "
+                'have such methods. Only exactly "set" and "adjust" count, and == works on anything.',
+                "大文字を含む文字列も(lower で)受け付けています。また、None や数値には文字列のメソッドが"
+                "ないので AttributeError になります。認めるのは"
+                ' "set" と "adjust" にぴったり一致するものだけで、== ならどんな値とも比べられます。',
+            ),
+        ),
+        Mistake(
+            blanks_accepted_and_no_text_fails,
+            Text(
+                "Words with blanks around them are accepted (strip), and None or a number ends in an AttributeError, because "
+                'only texts have such methods. Only exactly "set" and "adjust" count, and == works on anything.',
+                "前後に空白のある文字列も(strip で)受け付けています。また、None や数値には文字列のメソッドが"
+                "ないので AttributeError になります。認めるのは"
+                ' "set" と "adjust" にぴったり一致するものだけで、== ならどんな値とも比べられます。',
+            ),
+        ),
+        Mistake(
+            capitals_and_blanks_accepted_and_no_text_fails,
+            Text(
+                "Capital letters and blanks are accepted (lower and strip), and None or a number ends in an AttributeError, "
+                'because only texts have such methods. Only exactly "set" and "adjust" count, and == works on anything.',
+                "大文字や前後の空白も(lower や strip で)受け付けています。また、None や数値には文字列のメソッドが"
+                "ないので AttributeError になります。認めるのは"
+                ' "set" と "adjust" にぴったり一致するものだけで、== ならどんな値とも比べられます。',
+            ),
+        ),
+        Mistake(
             only_the_first_letter_read,
             Text(
                 "Only the first letter is looked at, so that stop counts as set. Compare the whole word.",
@@ -515,10 +583,12 @@ EXERCISE = Exercise(
         Mistake(
             other_types_fail_otherwise,
             Text(
-                "Texts are treated rightly, but None or a number ends in a TypeError, because something is done with kind "
-                "that only works on text. Compare first: == works on anything.",
-                "文字列の扱いは合っていますが、None や数値では TypeError になります。文字列にしか使えない操作を"
-                "先にしているためです。== ならどんな値とも比べられます。",
+                "Texts are treated rightly, but None and numbers end in a TypeError. Either it is raised for them (a "
+                "ValueError is asked for here, too), or something is done with kind that only works on text; == works on "
+                "anything.",
+                "文字列の扱いは合っていますが、None や数値では TypeError になります。自分で発生させているなら、"
+                "ここも ValueError にします。文字列にしか使えない操作をしているなら、== はどんな値とも比べられることを"
+                "使いましょう。",
             ),
         ),
         Mistake(

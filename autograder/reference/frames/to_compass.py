@@ -109,6 +109,14 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
+            back.degrees_of_the_compass_card,
+            Text(
+                "The compass heading comes back in degrees from 0 to 360, as a compass card shows it. The course computes in "
+                "rad throughout.",
+                "コンパスの方位が、方位盤のように 0〜360 の度で返っています。この講義では角度をすべて rad で扱います。",
+            ),
+        ),
+        Mistake(
             back.taken_for_degrees,
             Text(
                 "theta is converted as if it were in degrees (or the difference from 90 is). It is in rad already.",
