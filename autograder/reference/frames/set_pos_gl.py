@@ -26,22 +26,19 @@ def reference(frames, pose):
 def cases(rng):
     """Draw the four frames and the pose afresh: nothing at an origin, but where it is said so."""
 
-    def drawn(side, turns=0):
-        frames = {name: pose(rng) for name in ("GL", "LC", "FS", "SP")}
-        wanted = pose(rng)
-        wanted[2] = side * (abs(wanted[2]) + 2 * np.pi * turns)
-        return frames, wanted
+    def telling(side, turns=0, **known):
+        frames = {name: pose(rng) for name in ("GL", "LC", "FS", "SP")} | known
 
-    def telling(side, turns=0):
-        return until(lambda: drawn(side, turns), clear_of_zero)
+        def draw():
+            wanted = pose(rng)
+            wanted[2] = side * (abs(wanted[2]) + 2 * np.pi * turns)
+            return frames, wanted
+
+        return until(draw, clear_of_zero)
 
     def whole():
         frames = {name: rng.integers(1, 6, 3) * rng.choice([-1, 1], 3) for name in ("GL", "LC", "FS", "SP")}
         return frames, rng.integers(1, 6, 3) * rng.choice([-1, 1], 3)
-
-    def at_the_start():
-        frames, wanted = drawn(rng.choice([-1, 1]))
-        return frames | {"FS": np.zeros(3), "GL": np.zeros(3)}, wanted
 
     def rotating(frames, wanted):
         """Tell whether neither GL nor SP comes out in whole numbers again."""
@@ -57,7 +54,9 @@ def cases(rng):
         Group(Text("the robot is to look to the right", "右を向かせる場合"), 3, [telling(-1) for _ in range(3)]),
         Group(Text("headings beyond one turn", "1 回転を超える方位"), 1, [telling(1, 1), telling(-1, 1)]),
         Group(
-            Text("GL and FS still at BS's origin", "GL と FS がまだ BS の原点にある場合"), 1, [until(at_the_start, clear_of_zero)]
+            Text("GL and FS still at BS's origin", "GL と FS がまだ BS の原点にある場合"),
+            1,
+            [telling(rng.choice([-1, 1]), GL=np.zeros(3), FS=np.zeros(3))],
         ),
         Group(
             Text("lists and whole numbers", "リストや整数の入力"),
