@@ -31,6 +31,18 @@ NOTEBOOKS: dict[str, tuple[str, ...]] = {
         "speed_resolution",
         "wheel_signs",
     ),
+    "odometry/frames": (
+        "compose",
+        "invert",
+        "express_in",
+        "points_to_parent",
+        "set_pos_gl",
+        "adjust_pos_gl",
+        "line_command_changes",
+        "from_compass",
+        "to_compass",
+        "wrap_angle",
+    ),
 }
 
 #: written answers, graded by hand with the rubric in the notebook's source

@@ -37,6 +37,10 @@ def columns_exchanged(path):
     return {"time": log["speed"], "speed": log["time"]}
 
 
+def table_alone(path):
+    return np.column_stack(list(read(path).values()))
+
+
 def cases(rng):
     def good():
         rows = rng.uniform(1, 9, (5, 2)).cumsum(axis=0)
@@ -57,7 +61,9 @@ READER = Exercise(
     reference=read,
     cases=cases,
     examples=(),
-    mistakes=tuple(Mistake(wrong, Text(wrong.__name__, wrong.__name__)) for wrong in (line_counted_from_zero, columns_exchanged)),
+    mistakes=tuple(
+        Mistake(wrong, Text(wrong.__name__, wrong.__name__)) for wrong in (line_counted_from_zero, columns_exchanged, table_alone)
+    ),
     tolerance=RecordTolerance((("time", STAMPS), ("speed", Tolerance(skip=1, double=True)))),
     quantities=("time", "speed"),
     refuses=(ValueError,),
@@ -111,6 +117,7 @@ WRONG = {
     "numbers of another type": (changed(speed=np.float32), "shape", None, "float32"),
     "an entry in other units": (changed(speed=lambda speed: speed * 1000), "unit", None, "speed is right up to a constant"),
     "columns exchanged": (columns_exchanged, "value", "columns_exchanged", "columns_exchanged"),
+    "no dict, as a mistake gives it": (lambda path: table_alone(path).tolist(), "shape", "table_alone", "table_alone"),
     "nothing refused": (lenient, "shape", None, "raise ValueError"),
     "another error": (another_error, "runs", None, "another error came"),
     "no line named": (says_nothing, "value", None, "bad file"),
