@@ -3,6 +3,7 @@
 import math
 import warnings
 from functools import reduce
+from itertools import pairwise
 
 import numpy as np
 
@@ -48,7 +49,7 @@ def remembered(f, a, b, n):
 
 def complex_points(f, a, b, n):
     z = [complex(a + (b - a) * i / n, f(a + (b - a) * i / n)) for i in range(n + 1)]
-    return sum((q - p).real * (p.imag + q.imag) / 2 for p, q in zip(z, z[1:], strict=False))
+    return sum((q - p).real * (p.imag + q.imag) / 2 for p, q in pairwise(z))
 
 
 def folded(f, a, b, n):

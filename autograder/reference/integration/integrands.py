@@ -20,9 +20,9 @@ def integral_groups(rng):
         rates = [(magnitudes(rng, 1.5, 3.0), rng.uniform(1.0, 2.0), rng.uniform(0, 6)) for _ in range(2)]
         return built_integrand([magnitudes(rng, 0.4, 1.5)], rates)
 
-    def interval(fewest, most, direction=1):
+    def interval(counts, direction=1):
         a = magnitudes(rng, 0.4, 1.5)
-        return a, a + direction * rng.uniform(1.5, 3.0), int(rng.integers(fewest, most + 1))
+        return a, a + direction * rng.uniform(1.5, 3.0), int(rng.choice(counts))
 
     def drawn(function, *limits):
         return lambda: (function(), *interval(*limits))
@@ -50,23 +50,26 @@ def integral_groups(rng):
         return polynomial(), float(a[k]), float(b[k]), int(n[k])
 
     def walks_past(f, a, b, n):
-        """Does x += h, n times from a, end below b, so that `while x < b` has a step too many?"""
+        """Tell whether x += h, n times from a, ends below b, so that `while x < b` has a step too many."""
         return np.cumsum([a] + [(b - a) / n] * n)[-1] < b and positive(f, a, b, n)
 
-    rounded = [until(with_a_point_too_many, positive), until(drawn(polynomial, 5, 12), walks_past)]
+    # an odd and an even number of intervals, whatever is drawn
+    upwards = [until(drawn(polynomial, counts), of_sign(sign)) for counts, sign in (([5, 7], 1), ([4, 6, 8], -1))]
+    downwards = [until(drawn(polynomial, range(3, 8), -1), of_sign(sign)) for sign in (1, -1)]
+    rounded = [until(with_a_point_too_many, positive), until(drawn(polynomial, range(5, 13)), walks_past)]
     return [
-        Group(Text("a < b", "a < b の区間"), 4, [until(drawn(polynomial, 4, 8), of_sign(sign)) for sign in (1, -1)]),
-        Group(Text("b < a", "b < a の区間"), 2, [until(drawn(polynomial, 3, 7, -1), of_sign(sign)) for sign in (1, -1)]),
-        Group(Text("a single interval", "分割数 1"), 1, [until(drawn(polynomial, 1, 1), telling_rules)]),
-        Group(Text("functions of both signs", "符号の変わる関数"), 2, [until(drawn(waves, 6, 11), of_both_signs)]),
-        Group(Text("constants", "定数関数"), 1, [(built_integrand([magnitudes(rng, 0.5, 3.0)]), *interval(3, 8))]),
+        Group(Text("a < b", "a < b の区間"), 4, upwards),
+        Group(Text("b < a", "b < a の区間"), 2, downwards),
+        Group(Text("a single interval", "分割数 1"), 1, [until(drawn(polynomial, [1]), telling_rules)]),
+        Group(Text("functions of both signs", "符号の変わる関数"), 2, [until(drawn(waves, range(6, 12)), of_both_signs)]),
+        Group(Text("constants", "定数関数"), 1, [(built_integrand([magnitudes(rng, 0.5, 3.0)]), *interval(range(3, 9)))]),
         Group(Text("whole numbers", "整数の入力"), 1, [until(whole, telling_rules)]),
         Group(Text("rounded steps", "丸め誤差のある刻み幅"), 1, rounded),
     ]
 
 
 def telling_rules(f, a, b, n):
-    """Do the rules differ from each other by far more than rounding, and are their sums clear of zero?"""
+    """Tell whether the rules differ by far more than rounding and their sums are clear of zero."""
     h, x = (b - a) / n, np.linspace(a, b, n + 1)
     values = _values(f, np.concatenate([x, x[:-1] + h / 2, (a + b) / 2 + (b - a) / 2 * _NODES]))
     y, middle, exact = values[: n + 1], h * values[n + 1 : 2 * n + 1].sum(), (b - a) / 2 * _WEIGHTS @ values[2 * n + 1 :]
