@@ -24,6 +24,7 @@ def sample_groups(rng):
         return magnitudes(rng, 0.5, 2.0)
 
     y, t = samples(rng.choice([4, 6]))
+    start = int(rng.choice([-2, 3]))
     stamps = 1.6e9 + rng.uniform(0, 1e6)
     return [
         Group(Text("initial left out", "initial を省略"), 3, [samples(5), samples(7)]),
@@ -31,5 +32,5 @@ def sample_groups(rng):
         Group(Text("one sample or two", "1 点または 2 点"), 1, [(*samples(1), initial()), samples(1), (*samples(2), initial())]),
         Group(Text("Unix time stamps", "Unix 時刻"), 1, [(*samples(5, stamps), initial())]),
         Group(Text("lists", "リストの入力"), 1, [(y.tolist(), t.tolist(), initial())]),
-        Group(Text("whole numbers", "整数の入力"), 1, [(*whole(6), int(rng.choice([-2, 3]))), (whole(7)[0], samples(7)[1])]),
+        Group(Text("whole numbers", "整数の入力"), 1, [(*whole(6), start), (whole(7)[0], samples(7)[1], start)]),
     ]
