@@ -197,7 +197,7 @@ def neighbours_averaged(t, velocity, yaw_rate, pose0):
 
 
 def heading_kept(t, velocity, yaw_rate, pose0):
-    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    v = np.array(velocity, dtype=float)
     dt = np.diff(t)
     theta = pose0[2] * np.ones(len(v))
     dx, dy = v[:-1] * np.cos(theta[:-1]) * dt, v[:-1] * np.sin(theta[:-1]) * dt

@@ -216,7 +216,7 @@ def half_forgotten_in_position(t, velocity, yaw_rate, pose0):
 
 
 def heading_kept(t, velocity, yaw_rate, pose0):
-    v, w = np.array(velocity, dtype=float), np.array(yaw_rate, dtype=float)
+    v = np.array(velocity, dtype=float)
     dt = np.diff(t)
     theta = pose0[2] * np.ones(len(v))
     vx, vy = v * np.cos(theta), v * np.sin(theta)
