@@ -125,7 +125,7 @@ def _findings(figure: Mapping[str, Plain]) -> Iterator[str]:
         yield "lines_not_labelled"
     elif not figure["legend"]:
         yield "no_legend"
-    elif not all(line.name in figure["legend"] for line in needed):
+    elif not {line.name for line in needed} <= {entry.strip() for entry in figure["legend"]}:
         yield "legend_incomplete"
 
 
@@ -187,9 +187,9 @@ def _wrong_lines(lines: Sequence[_Line]) -> str:
         return "same_line_twice"
     if _some_have(named["euler"], 2.0) and _some_have(named["trapezoid"], 1.0):
         return "names_exchanged"
-    if all(line.has_slope(1.0) for line in candidates):
+    if _some_have(named["trapezoid"], 1.0) or all(line.has_slope(1.0) for line in candidates):
         return "trapezoid_of_first_order"
-    if all(line.has_slope(2.0) for line in candidates):
+    if _some_have(named["euler"], 2.0) or all(line.has_slope(2.0) for line in candidates):
         return "euler_of_second_order"
     return "slopes_wrong"
 
