@@ -31,6 +31,17 @@ NOTEBOOKS: dict[str, tuple[str, ...]] = {
         "speed_resolution",
         "wheel_signs",
     ),
+    "odometry/integration": (
+        "euler_integral",
+        "trapezoid_integral",
+        "cumulative_euler",
+        "cumulative_trapezoid",
+        "observed_order",
+        "convergence_axes",
+        "integrate_poses_euler",
+        "integrate_poses_trapezoid",
+        "integrate_increments",
+    ),
     "odometry/frames": (
         "compose",
         "invert",
