@@ -49,6 +49,10 @@ def cases(rng):
     ]
 
 
+def a_table(path):
+    return np.column_stack(list(read(path).values()))
+
+
 READER = Exercise(
     name="read",
     notebook="odometry/pose_update",
@@ -57,7 +61,9 @@ READER = Exercise(
     reference=read,
     cases=cases,
     examples=(),
-    mistakes=tuple(Mistake(wrong, Text(wrong.__name__, wrong.__name__)) for wrong in (line_counted_from_zero, columns_exchanged)),
+    mistakes=tuple(
+        Mistake(wrong, Text(wrong.__name__, wrong.__name__)) for wrong in (line_counted_from_zero, columns_exchanged, a_table)
+    ),
     tolerance=RecordTolerance((("time", STAMPS), ("speed", Tolerance(skip=1, double=True)))),
     quantities=("time", "speed"),
     refuses=(ValueError,),
@@ -102,6 +108,8 @@ def first_unknown(speed):
 
 WRONG = {
     "a tuple": (lambda path: tuple(read(path).values()), "shape", None, "time, speed"),
+    "a table": (a_table, "shape", "a_table", "a_table"),
+    "another table": (lambda path: 2 * a_table(path), "shape", None, "time, speed"),
     "an entry missing": (lambda path: {"time": read(path)["time"], "Speed": 0.0}, "shape", None, "time, Speed"),
     "nothing": (lambda path: read(path) and None, "shape", None, "return"),
     "an entry of another shape": (changed(speed=lambda speed: speed[1:]), "shape", None, "In the entry 'speed'"),
