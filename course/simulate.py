@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from course.logs import FloatArray, Log
 from course.robots import Robot
@@ -27,6 +28,9 @@ SUBSTEPS = 10
 LARGEST_JITTER = 0.4
 """No stamp strays by more than this part of a period, so stamps always increase."""
 
+LOST_AT_MOST = 0.3
+"""No larger part of the cycles can be lost in gaps of one or two: each gap needs a slot of four rows for itself."""
+
 PWM_PER_SPEED = 40.0
 PWM_NOISE = 2
 
@@ -39,6 +43,18 @@ class Segment(NamedTuple):
     duration: float
 
 
+class Slip(NamedTuple):
+    """A moment in which wheels turn on the floor: start and duration [s], and what each rim gains on the floor [m].
+
+    The counters see the gain, the robot does not move by it; a negative gain is a wheel that is dragged along.
+    """
+
+    start: float
+    duration: float
+    right: float = 0.0
+    left: float = 0.0
+
+
 @dataclass(frozen=True)
 class Conditions:
     """How a run is carried out and recorded.
@@ -48,8 +64,14 @@ class Conditions:
     - `start`: stamp of the first row [s], such as Unix time
     - `ramp`: time [s] that a change of speed takes at the beginning of a segment
     - `radius_right`, `radius_left`: true radii of the wheels [m] where they differ from the robot's nominal one
+    - `tread`: true distance [m, a length without sign] between the wheels where it differs from the nominal one
+    - `slip`: a moment in which wheels slip
+    - `lost`: part of the cycles that are lost in gaps of one and two cycles, as many gaps of one as of two; what the
+      wheels did in a lost cycle is in no row
+    - `long_gap`: how many cycles are lost at once, on top of these, in the middle of the drive
 
-    Raises ValueError if period, ramp or a radius is not positive, or if jitter is negative.
+    Raises ValueError if period, ramp, a radius, the tread or the duration of a slip is not positive, if jitter or
+    long_gap is negative, or if more is lost than `LOST_AT_MOST`.
     """
 
     period: float = 0.005
@@ -58,15 +80,29 @@ class Conditions:
     ramp: float = 0.4
     radius_right: float | None = None
     radius_left: float | None = None
+    tread: float | None = None
+    slip: Slip | None = None
+    lost: float = 0.0
+    long_gap: int = 0
 
     def __post_init__(self) -> None:
         """Refuse what cannot be recorded."""
-        for name in ("period", "ramp", "radius_right", "radius_left"):
+        for name in ("period", "ramp", "radius_right", "radius_left", "tread"):
             value = getattr(self, name)
             if value is not None and not 0 < value < np.inf:
                 raise ValueError(f"{name} must be positive and finite, not {value!r}")
-        if not 0 <= self.jitter < np.inf:
-            raise ValueError(f"jitter must be finite and not negative, not {self.jitter!r}")
+        for name, most in (("jitter", np.inf), ("lost", LOST_AT_MOST), ("long_gap", np.inf)):
+            value = getattr(self, name)
+            if not 0 <= value <= most or np.isinf(value):
+                raise ValueError(f"{name} must be finite, not negative and at most {most}, not {value!r}")
+        if self.slip and not (np.isfinite(self.slip).all() and self.slip.duration > 0):
+            raise ValueError(f"slip must be finite and last a positive time, not {self.slip!r}")
+
+    @property
+    def faithful(self) -> bool:
+        """Whether odometry with the nominal robot follows the truth, but for the rounding to whole counts."""
+        true_sizes = (self.radius_right, self.radius_left, self.tread)
+        return all(size is None for size in true_sizes) and self.slip is None and not self.lost and not self.long_gap
 
 
 NOMINAL = Conditions()
@@ -89,7 +125,7 @@ def encoder_run(robot: Robot, segments: Sequence[Segment], seed: int, conditions
     the wheels, not each increment, so no fraction of a count is ever lost. Velocity and yaw rate of the truth are
     those at the stamp, not means over the row's interval.
 
-    Only jitter and PWM are drawn from `seed`. Raises ValueError if there is no segment, if one is not finite, or if
+    Only jitter, PWM and lost cycles are drawn from `seed`; rows 0 and -1 are never lost. Raises ValueError if there is no segment, if one is not finite, or if
     one is shorter than the ramp.
     """
     rng = np.random.default_rng(seed)
@@ -107,7 +143,23 @@ def encoder_run(robot: Robot, segments: Sequence[Segment], seed: int, conditions
         "velocity": speeds[:, 0],
         "yaw_rate": turn * speeds[:, 1],
     }
-    return EncoderRun({"time": time.copy(), **_counters(robot, speeds, travel, conditions, rng)}, truth)
+    wheels = _to_wheels(robot, conditions)
+    rims = travel @ wheels + _slipped(elapsed, conditions.slip)
+    log = {"time": time, **_counters(robot, speeds @ wheels, rims, conditions, rng)}
+    kept = ~_lost_rows(len(elapsed), conditions, rng)
+    return EncoderRun(_chosen_rows(log, kept), _chosen_rows(truth, kept))
+
+
+def steered_by_odometry(robot: Robot, segments: Sequence[Segment], conditions: Conditions) -> tuple[Segment, ...]:
+    """Return what the robot really drives when it steers by nominal numbers and believes that it drives `segments`.
+
+    Its wheels turn as the nominal radius and tread ask for; true radii and tread make another motion of that. So the
+    odometry of `encoder_run(robot, steered_by_odometry(robot, segments, conditions), seed, conditions)` is `segments`.
+    """
+    plan = np.array(segments, dtype=np.float64).reshape(-1, 3)
+    rims = plan[:, :2] @ _to_wheels(robot, NOMINAL) * _true_radii(robot, conditions) / robot.radius
+    driven = rims @ np.linalg.inv(_to_wheels(robot, conditions))
+    return tuple(Segment(*row) for row in np.column_stack([driven, plan[:, 2]]).tolist())
 
 
 def encoder_log_text(log: Log) -> str:
@@ -188,14 +240,31 @@ def _positions(elapsed: FloatArray, plan: FloatArray, ramp: float) -> FloatArray
     return np.vstack([np.zeros((1, 2)), np.cumsum(steps, axis=0)])[::SUBSTEPS]
 
 
-def _counters(robot: Robot, speeds: FloatArray, travel: FloatArray, conditions: Conditions, rng: np.random.Generator) -> Log:
-    right_and_left = np.array([[1.0, 1.0], [abs(robot.tread) / 2, -abs(robot.tread) / 2]])
+def _to_wheels(robot: Robot, conditions: Conditions) -> FloatArray:
+    """Return the (2, 2) matrix that turns (forward, to the left) into (right wheel, left wheel)."""
+    tread = conditions.tread or abs(robot.tread)
+    return np.array([[1.0, 1.0], [tread / 2, -tread / 2]])
+
+
+def _true_radii(robot: Robot, conditions: Conditions) -> FloatArray:
+    return np.array([conditions.radius_right or robot.radius, conditions.radius_left or robot.radius])
+
+
+def _slipped(elapsed: FloatArray, slip: Slip | None) -> FloatArray:
+    """Return what the right and the left rim have gained on the floor so far [m], (N, 2); it grows smoothly."""
+    if slip is None:
+        return np.zeros((len(elapsed), 2))
+    u = np.clip((elapsed - slip.start) / slip.duration, 0.0, 1.0)
+    return np.outer(3 * u**2 - 2 * u**3, [slip.right, slip.left])
+
+
+def _counters(robot: Robot, speeds: FloatArray, rims: FloatArray, conditions: Conditions, rng: np.random.Generator) -> Log:
+    """Return the four columns beside the time; speeds and travel of the rims are those of the right and left wheel."""
     signs = np.array([robot.sign_right, robot.sign_left])
-    radii = np.array([conditions.radius_right or robot.radius, conditions.radius_left or robot.radius])
-    counts = travel @ right_and_left / (2 * np.pi * radii) * robot.gear * robot.counts_per_rev
-    increments = signs * np.diff(np.rint(counts), axis=0, prepend=0.0)
+    counts = rims / (2 * np.pi * _true_radii(robot, conditions)) * robot.gear * robot.counts_per_rev
+    increments: FloatArray = signs * np.diff(np.rint(counts), axis=0, prepend=0.0)
     noise = rng.integers(-PWM_NOISE, PWM_NOISE, size=speeds.shape, endpoint=True)
-    pwm = signs * np.rint(PWM_PER_SPEED * (speeds @ right_and_left)) + noise
+    pwm: FloatArray = signs * np.rint(PWM_PER_SPEED * speeds) + noise
     first, second = (0, 1) if robot.right_counter == 1 else (1, 0)
     # Adding zero turns the -0.0 of a reversed counter at rest into 0.0.
     return {
@@ -204,3 +273,20 @@ def _counters(robot: Robot, speeds: FloatArray, travel: FloatArray, conditions: 
         "pwm1": pwm[:, first] + 0.0,
         "pwm2": pwm[:, second] + 0.0,
     }
+
+
+def _lost_rows(rows: int, conditions: Conditions, rng: np.random.Generator) -> npt.NDArray[np.bool_]:
+    """Return which rows are lost: gaps of one or two in slots of four rows, of which the last one is always kept."""
+    slots = (rows - 1) // 4
+    gaps = min(slots, round(conditions.lost * rows / 1.5))
+    firsts = 4 * rng.choice(slots, gaps, replace=False) + rng.integers(1, 3, gaps)
+    lost = np.zeros(rows, dtype=bool)
+    lost[firsts] = True
+    lost[firsts[::2] + 1] = True
+    lost[rows // 2 : rows // 2 + conditions.long_gap] = True
+    lost[-1] = False
+    return lost
+
+
+def _chosen_rows(log: Log, rows: npt.NDArray[np.bool_]) -> Log:
+    return {name: column[rows] for name, column in log.items()}

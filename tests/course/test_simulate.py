@@ -7,35 +7,24 @@ import pytest
 
 from course.logs import read_encoder_log, read_truth
 from course.robots import BEEGO, ICART
-from course.simulate import Conditions, Segment, encoder_log_text, encoder_run, truth_text, write_encoder_log, write_truth
+from course.simulate import (
+    Conditions,
+    Segment,
+    Slip,
+    encoder_log_text,
+    encoder_run,
+    steered_by_odometry,
+    truth_text,
+    write_encoder_log,
+    write_truth,
+)
+from tests.odometry import allowed_by_quantisation, metres_per_count, midpoint_odometry, wheel_counts
 
 REST = Segment(0.0, 0.0, 1.0)
 WINDING = (REST, Segment(0.5, 0.8, 3.0), Segment(-0.3, 0.4, 2.0), Segment(0.0, -1.5, 2.5), Segment(0.6, -0.7, 3.0), REST)
 LEFT = (Segment(0.4, 0.0, 3.0), Segment(0.4, 0.5, 3.0), REST)
 SWAPPED = replace(BEEGO, name="swapped", right_counter=2, sign_right=1, sign_left=1, tread=-0.2765)
 ROBOTS = pytest.mark.parametrize("robot", [ICART, BEEGO, SWAPPED], ids=lambda robot: robot.name)
-
-
-def metres_per_count(robot):
-    return 2 * np.pi * robot.radius / robot.gear / robot.counts_per_rev
-
-
-def wheel_counts(log, robot):
-    left_counter = {1: 2, 2: 1}[robot.right_counter]
-    return robot.sign_right * log[f"counter{robot.right_counter}"], robot.sign_left * log[f"counter{left_counter}"]
-
-
-def midpoint_odometry(log, robot):
-    x = y = theta = 0.0
-    poses = [(x, y, theta)]
-    for right, left in list(zip(*wheel_counts(log, robot), strict=True))[1:]:
-        distance = metres_per_count(robot) * (right + left) / 2
-        turned = metres_per_count(robot) * (right - left) / robot.tread
-        x += distance * np.cos(theta + turned / 2)
-        y += distance * np.sin(theta + turned / 2)
-        theta += turned
-        poses.append((x, y, theta))
-    return np.array(poses)
 
 
 def truth_poses(run):
@@ -47,11 +36,9 @@ def truth_poses(run):
 def test_integrating_the_log_reaches_the_truth_within_quantisation(robot, conditions):
     run = encoder_run(robot, WINDING, seed=0, conditions=conditions)
     error = np.abs(midpoint_odometry(run.log, robot) - truth_poses(run)).max(axis=0)
-    heading = metres_per_count(robot) / abs(robot.tread)
-    path = np.abs(np.diff(run.truth["x"], prepend=0) + 1j * np.diff(run.truth["y"], prepend=0)).sum()
-    # Half a count of each wheel, the heading's error along the path, and the midpoint rule's own (omega dt)^2 / 24.
+    position, heading = allowed_by_quantisation(run.log, robot)
     assert error[2] <= heading
-    assert (error[:2] <= metres_per_count(robot) + path * (heading + (1.5 * 0.009) ** 2 / 24)).all()
+    assert (error[:2] <= position).all()
 
 
 @ROBOTS
@@ -149,6 +136,107 @@ def test_true_radii_change_the_counts_and_not_the_truth(radius_right, radius_lef
     assert ratios == pytest.approx(expected, abs=2e-5)
 
 
+@ROBOTS
+def test_a_true_tread_changes_the_difference_of_the_counts_and_not_the_truth(robot):
+    nominal = encoder_run(robot, LEFT, seed=0)
+    run = encoder_run(robot, LEFT, seed=0, conditions=Conditions(tread=1.02 * abs(robot.tread)))
+    np.testing.assert_array_equal(truth_poses(run), truth_poses(nominal))
+    (right, left), (old_right, old_left) = (wheel_counts(log, robot) for log in (run.log, nominal.log))
+    assert (right + left).sum() == pytest.approx((old_right + old_left).sum(), abs=2)
+    assert (right - left).sum() == pytest.approx(1.02 * (old_right - old_left).sum(), abs=2)
+
+
+@ROBOTS
+@pytest.mark.parametrize("slip", [Slip(2.0, 0.3, right=0.03), Slip(2.0, 0.3, left=-0.02), Slip(4.0, 1.0, 0.01, 0.02)])
+def test_a_slip_adds_counts_while_it_lasts_and_leaves_the_truth_alone(robot, slip):
+    nominal, run = (encoder_run(robot, LEFT, seed=0, conditions=Conditions(slip=one)) for one in (None, slip))
+    np.testing.assert_array_equal(truth_poses(run), truth_poses(nominal))
+    outside = (run.log["time"] < slip.start) | (run.log["time"] > slip.start + slip.duration + 0.005)
+    for slipping, gripping, gained in zip(
+        wheel_counts(run.log, robot), wheel_counts(nominal.log, robot), (slip.right, slip.left), strict=True
+    ):
+        more = (slipping - gripping) * metres_per_count(robot)
+        # The fraction of a count that the slip leaves behind may round any later count up or down, but never adds up.
+        assert np.abs(more[outside]).max() <= 1.01 * metres_per_count(robot)
+        assert more.sum() == pytest.approx(gained, abs=metres_per_count(robot))
+
+
+def gaps(log, period=0.005):
+    """Return how many cycles are lost before each row but row 0."""
+    cycles = np.diff(log["time"]) / period
+    assert np.abs(cycles - np.rint(cycles)).max() < 0.3
+    return np.rint(cycles).astype(int) - 1
+
+
+@pytest.mark.parametrize("part", [0.0, 0.06, 0.3])
+def test_lost_cycles_leave_gaps_of_one_and_two_and_rows_as_they_were(part):
+    whole = encoder_run(BEEGO, WINDING, seed=0, conditions=Conditions(jitter=0.0002))
+    run = encoder_run(BEEGO, WINDING, seed=0, conditions=Conditions(jitter=0.0002, lost=part))
+    lost = gaps(run.log)
+    assert lost.sum() == pytest.approx(part * len(whole.log["time"]), abs=3)
+    assert (lost == 1).sum() == pytest.approx((lost == 2).sum(), abs=1)
+    assert lost.max(initial=0) == (2 if part else 0)
+    left = np.isin(whole.log["time"], run.log["time"])
+    assert left[[0, -1]].all()
+    for name in run.log:
+        np.testing.assert_array_equal(run.log[name], whole.log[name][left])
+    for name in run.truth:
+        np.testing.assert_array_equal(run.truth[name], whole.truth[name][left])
+
+
+def test_a_long_gap_comes_once_and_in_the_middle():
+    run = encoder_run(BEEGO, WINDING, seed=0, conditions=Conditions(long_gap=34))
+    lost = gaps(run.log)
+    assert sorted(set(lost)) == [0, 34]
+    assert (lost == 34).sum() == 1
+    assert run.log["time"][lost.argmax()] == pytest.approx(run.log["time"][-1] / 2, abs=0.01)
+
+
+@pytest.mark.parametrize("duration", [0.4, 0.405, 0.41, 0.43, 0.445])
+def test_short_drives_lose_cycles_too_but_never_their_ends(duration):
+    for seed in range(20):
+        conditions = Conditions(period=0.04, lost=0.3, long_gap=99)
+        time = encoder_run(ICART, (Segment(0.1, 0.0, duration),), seed, conditions).log["time"]
+        assert time[0] == 0
+        assert time[-1] == pytest.approx(duration, abs=0.04)
+
+
+@ROBOTS
+def test_steered_by_odometry_the_log_is_the_drive_and_the_truth_another(robot):
+    """The wheels turn as if the robot were nominal; so its odometry ends where it means to, and itself does not."""
+    conditions = Conditions(radius_right=1.01 * robot.radius, radius_left=0.98 * robot.radius, tread=1.03 * abs(robot.tread))
+    meant = encoder_run(robot, WINDING, seed=0)
+    run = encoder_run(robot, steered_by_odometry(robot, WINDING, conditions), seed=0, conditions=conditions)
+    for name in ("counter1", "counter2"):
+        assert np.abs(np.cumsum(run.log[name] - meant.log[name])).max() <= 1
+    right, left = (np.sum(counts) * metres_per_count(robot) for counts in wheel_counts(meant.log, robot))
+    turned = (1.01 * right - 0.98 * left) / (1.03 * robot.tread)
+    assert run.truth["theta"][-1] == pytest.approx(turned, abs=3 * metres_per_count(robot) / abs(robot.tread))
+    assert np.hypot(*(truth_poses(run) - truth_poses(meant))[-1, :2]) > 0.02
+
+
+def test_a_nominal_robot_drives_what_it_means_to():
+    driven = steered_by_odometry(ICART, WINDING, Conditions())
+    np.testing.assert_allclose(driven, WINDING, rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("conditions", "faithful"),
+    [
+        ({}, True),
+        ({"jitter": 0.001, "start": 1.7e9, "period": 0.01, "ramp": 0.2}, True),
+        ({"radius_right": 0.14}, False),
+        ({"radius_left": 0.14}, False),
+        ({"tread": 0.3}, False),
+        ({"slip": Slip(1.0, 1.0, 0.1)}, False),
+        ({"lost": 0.01}, False),
+        ({"long_gap": 1}, False),
+    ],
+)
+def test_what_makes_odometry_miss_the_truth(conditions, faithful):
+    assert Conditions(**conditions).faithful is faithful
+
+
 def test_the_seed_decides():
     conditions = Conditions(jitter=0.0005)
     texts = [encoder_log_text(encoder_run(BEEGO, LEFT, seed, conditions).log) for seed in (1, 1, 2)]
@@ -208,7 +296,11 @@ def test_drives_that_cannot_be_driven(segments, reason):
 
 @pytest.mark.parametrize(
     "conditions",
-    [{"period": 0}, {"ramp": -1.0}, {"radius_left": 0.0}, {"radius_right": np.nan}, {"jitter": -0.1}, {"jitter": np.nan}],
+    [
+        *({"period": 0}, {"ramp": -1.0}, {"radius_left": 0.0}, {"radius_right": np.nan}, {"tread": -0.3}),
+        *({"jitter": -0.1}, {"jitter": np.nan}, {"jitter": np.inf}, {"lost": -0.1}, {"lost": 0.31}, {"long_gap": -1}),
+        *({"slip": Slip(1.0, 0.0, 0.1)}, {"slip": Slip(1.0, 1.0, np.nan)}),
+    ],
 )
 def test_conditions_that_cannot_be_recorded(conditions):
     with pytest.raises(ValueError, match=next(iter(conditions))):
