@@ -248,10 +248,8 @@ def _same_entry(tolerance: Tolerance, a: Plain, b: Plain) -> bool:
 
 def _same_value(tolerance: Tolerance | RecordTolerance, a: Plain, b: Plain) -> np.ndarray:
     first, second = numeric(a), numeric(b)
-    if isinstance(tolerance, RecordTolerance):
+    if first is None or second is None or isinstance(tolerance, RecordTolerance):
         return _ALWAYS if _same_part(a, b) else _NEVER
-    if first is None or second is None:
-        return _ALWAYS if _same_oddity(a, b) else _NEVER
     if first.shape != second.shape or (tolerance.double and first.dtype != second.dtype):
         return _NEVER
     finite = np.isfinite(first)

@@ -1,5 +1,6 @@
 """How close is right. Every tolerance of the course lives in this module."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -36,7 +37,8 @@ class Tolerance:
         right = self.by_quantity(expected)
         errors = np.abs(self.by_quantity(given) - right)
         limits = self.absolute + self.relative * np.abs(right).max(axis=1, initial=0.0, keepdims=True)
-        for row in self.angles:
+        # answers of too few quantities are compared too, with mistakes that leave out as many
+        for row in (angle for angle in self.angles if angle < len(errors)):
             errors[row] = np.minimum(errors[row] % (2 * np.pi), -errors[row] % (2 * np.pi))
             limits[row] = ANGLE
         errors[:, : self.skip] = 0
@@ -48,7 +50,8 @@ class Tolerance:
         if self.axis is None or values.ndim == 0:
             return values.reshape(1, -1)
         if self.axis == -1:
-            return values.reshape(-1, values.shape[-1]).T
+            # the number of rows is written out: -1 stands for none where a row is empty
+            return values.reshape(math.prod(values.shape[:-1]), values.shape[-1]).T
         rows = np.moveaxis(values, self.axis, 0)
         return rows.reshape(rows.shape[0], -1)
 
