@@ -5,7 +5,7 @@ BIN := .venv/bin
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 export MPLBACKEND ?= Agg
 
-.PHONY: help demo test quick lab build data environment bench lint sandbox chromium postgresql clean
+.PHONY: help demo test slow quick lab build data environment bench lint sandbox chromium postgresql clean
 
 help:            ## what there is to type
 	@grep -E '^[a-z]+:.*##' Makefile | sed -E 's/:.*##/\t/'
@@ -13,8 +13,11 @@ help:            ## what there is to type
 demo: .venv/.ready sandbox    ## make a sample class, grade it, compare with what each should get
 	$(BIN)/autograder demo
 
-test: .venv/.ready sandbox chromium postgresql    ## all tests, the slow ones and the browser included
-	$(BIN)/pytest -n 2 --dist loadgroup
+test: .venv/.ready sandbox chromium postgresql    ## all tests, with the browser, and as many of the slow ones as there is time for
+	$(BIN)/pytest -n 2 --dist loadgroup --no-loadscope-reorder --slow-until 360
+
+slow: .venv/.ready sandbox    ## the long sweeps, every one of them
+	$(BIN)/pytest -n 2 --dist loadgroup -m slow
 
 quick: .venv/.ready sandbox    ## the tests without long sweeps and without a browser
 	$(BIN)/pytest -n 2 --dist loadgroup -m "not slow and not browser"

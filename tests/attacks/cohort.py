@@ -2,7 +2,6 @@
 
 import re
 import secrets
-import shutil
 import sqlite3
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -195,11 +194,3 @@ def left_behind() -> list[str]:
         if MARK in name:
             found.append(name)
     return found
-
-
-def graded_cohort(request: pytest.FixtureRequest, folder: Path, limits: Limits) -> Cohort:
-    """Return the class of this module's hostile students, graded: those of the tests that are run."""
-    calls = [item.callspec for item in request.session.items if item.module is request.module and hasattr(item, "callspec")]
-    submissions = dict(call.params["fate"] for call in calls if "fate" in call.params)
-    shutil.rmtree(folder, ignore_errors=True)
-    return Cohort(folder, submissions, limits)

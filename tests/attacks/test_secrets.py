@@ -20,6 +20,8 @@ from tests.classroom import ROOT, untouched
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("attacks-secrets")]
 # whoever looks through a whole file system needs time for it
 LIMITS = replace(CLASS_LIMITS, cell=20.0, notebook=60.0)
+#: what one notebook was asked is compared with what another was
+ONE_CLASS = True
 
 #: patterns that do not match themselves: what the honest students hold, what only the reference holds, and what everyone may find
 _NEEDLES = r"""

@@ -502,7 +502,7 @@ def test_075_no_source_and_no_constant_holds_the_answers(fate):
         cells = [*In, *shell.user_ns["_ih"], *shell.history_manager.input_hist_raw, *shell.history_manager.input_hist_parsed]
         cells += [row[2] for row in shell.history_manager.search("*")] if shell.history_manager.enabled else []
         %history
-        own = ("from course.en import", "displacement", "history", "YOUR CODE HERE", "kept")
+        own = ("from course.en import", "displacement", "history", "YOUR CODE HERE", "kept", "check(\"")
         for cell in cells:
             if cell.strip() and not any(word in cell for word in own):
                 print("LEAK", repr(cell[:200]))

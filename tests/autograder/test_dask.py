@@ -156,6 +156,7 @@ def worker_of(pid: int, workers: list[int]) -> int:
     return pid
 
 
+@pytest.mark.slow
 def test_a_scheduler_without_workers_and_one_whose_workers_have_another_course(classroom, tmp_path):
     with started(tmp_path / "cluster") as cluster:
         with pytest.raises(BatchError, match=rf"{cluster.address} has no workers. Start some with: dask worker"):
@@ -171,6 +172,7 @@ def test_a_scheduler_without_workers_and_one_whose_workers_have_another_course(c
     assert not (classroom.root / "autograded").exists()
 
 
+@pytest.mark.slow
 def test_a_scheduler_that_ends_meanwhile_is_said(undisturbed, classroom, tmp_path):
     with started(tmp_path / "cluster") as cluster:
         cluster.add_workers(1)

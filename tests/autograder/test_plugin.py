@@ -27,7 +27,7 @@ from tests.classroom import Classroom, solved, with_answer, with_cell
 
 ROOT = Path(__file__).resolve().parents[2]
 
-pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::UserWarning")
+pytestmark = [pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::UserWarning"), pytest.mark.xdist_group("plugin")]
 
 
 def nbgrader_api(root, **course):

@@ -19,6 +19,9 @@ from autograder.released import released
 from autograder.session import Limits, Session
 from course.answers import Question
 
+# the notebook is run once for all of them
+pytestmark = pytest.mark.xdist_group("like a kernel")
+
 # where a cell sleeps, a kernel takes that long to see what came another way than through Python
 CELLS = {
     "nothing": "",
