@@ -110,6 +110,16 @@ class _Finding(NamedTuple):
     where: Text = Text("", "")
 
 
+#: faults that are not told or charged beside another one, of which they are the natural consequence
+_WHAT_FOLLOWS = {
+    "another_scale": ("another_unit",),
+    "time_in_another_unit": ("another_unit",),
+    "axes_exchanged": ("another_unit", "another_quantity_named"),
+    "another_quantity_drawn": ("another_unit", "another_quantity_named"),
+    "other_scale": ("cut_off",),
+}
+
+
 class _Fault(NamedTuple):
     """A kind of fault: the rung that it breaks, the part of the score that it costs, and what to say."""
 
@@ -135,7 +145,9 @@ def graph_fault(
     assert structure.y is not None
     wanted = _Wanted(structure.x, structure.y, data, tolerances)
     drawing = _drawing_findings(structure, figure) or _data_findings(wanted, figure)
-    return _fault([*drawing, *_frame_findings(structure, figure)])
+    findings = [*drawing, *_frame_findings(structure, figure)]
+    follow = {slug for finding in findings for slug in _WHAT_FOLLOWS.get(finding.slug, ())}
+    return _fault([finding for finding in findings if finding.slug not in follow])
 
 
 def _fault(findings: Sequence[_Finding]) -> GraphFault | None:
@@ -226,7 +238,7 @@ def _plain_label(label: str) -> str:
 
 
 def _unit(text: str) -> str | None:
-    bare = re.sub(r"[\s.*]", "", text)
+    bare = re.sub(r"^(?:in|unit:?|単位:?)\s|[\s.*]", "", text.strip())
     return next((unit for unit, pattern in _UNITS.items() if pattern.fullmatch(bare)), None)
 
 
@@ -589,16 +601,18 @@ FAULTS = {
         "value",
         0.7,
         Text(
-            "What is drawn has the opposite sign, a mirror image. Draw the values as they are; the sign of the tread belongs to the robot.",
-            "符号が逆で、鏡像になっています。値をそのまま描きましょう。トレッドの符号はロボットの一部です。",
+            "What is drawn has the opposite sign, a mirror image. Draw the values as they are, and keep the signs of the robot: those "
+            "of its wheels and of its tread.",
+            "符号が逆で、鏡像になっています。値をそのまま描き、ロボットの車輪とトレッドの符号もそのまま使いましょう。",
         ),
     ),
     "another_scale": _Fault(
         "unit",
         0.5,
         Text(
-            "The numbers are right up to a factor, as in another unit (cm, mm, km/h). Draw metres, or metres per second.",
-            "数値が定数倍になっています。cm、mm、km/hなどではなく、mまたはm/sで描きましょう。",
+            "The numbers are right up to a factor: they are in another unit (cm, mm, km/h), or something is doubled or halved on the "
+            "way. Draw metres, or metres per second.",
+            "数値が定数倍になっています。cm、mm、km/hなど別の単位か、途中で2倍や半分にしていませんか。mまたはm/sで描きましょう。",
         ),
     ),
     "data_wrong": _Fault(
