@@ -11,6 +11,7 @@ import math
 import os
 import tempfile
 from collections.abc import Iterator, Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -138,8 +139,11 @@ def _written_out(notebook: NotebookNode) -> bytes:
 
 
 def _examples() -> bytes:
-    """Return course/examples.json: for each exercise what its public examples ask and what is right."""
-    entries = {exercise.name: _entry(exercise) for exercise in all_exercises() if isinstance(exercise, Exercise)}
+    """Return course/examples.json: for each exercise what its public examples ask and what is right; of a graph its structure."""
+    entries = {
+        exercise.name: _entry(exercise) if isinstance(exercise, Exercise) else {"graph": asdict(exercise.structure)}
+        for exercise in all_exercises()
+    }
     return f"{json.dumps(entries, indent=1, sort_keys=True, ensure_ascii=False, allow_nan=False)}\n".encode()
 
 

@@ -9,6 +9,8 @@ import numpy as np
 
 from course.answers import Question, Reply, reply_to, trouble_of
 from course.given import handed_over
+from course.graphs import ANY_GRAPH, Structure
+from course.graphs import GraphFault as GraphFault  # noqa: PLC0414 - a part of what is declared here
 from course.ladder import Answered
 from course.language import Text
 from course.plain import Built, Plain, Refusal, plain
@@ -100,14 +102,16 @@ class GraphExercise:
 
     `drawn_from` computes the plain data that the graph must show; `fault` looks at the summary of the Axes (course.figures) and
     at that data, and returns None or a `GraphFault`. A mistake's function draws the wrong graph from the data and returns its Axes.
+    `structure` is what can be said of the graph without the data; a student's bundle knows no more.
     """
 
     name: str
     notebook: str
     points: int
     drawn_from: Callable[[], Plain]
-    fault: Callable[[Mapping[str, Plain], Plain], "GraphFault | None"]
+    fault: Callable[[Mapping[str, Plain], Plain], GraphFault | None]
     mistakes: tuple[Mistake, ...] = ()
+    structure: Structure = ANY_GRAPH
 
     @property
     def misconceptions(self) -> tuple[str, ...]:
@@ -118,18 +122,6 @@ class GraphExercise:
     def shown(self) -> Plain:
         """Return the plain data that the graph must show."""
         return self.drawn_from()
-
-
-class GraphFault(NamedTuple):
-    """What is wrong with a graph.
-
-    The rung, the slug of the fault (one of the exercise's misconceptions, or None), what remains of the score, and what to say.
-    """
-
-    rung: str
-    slug: str | None
-    score: float
-    text: Text
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,8 +13,11 @@ from typing import Any
 import numpy as np
 
 from course.answers import Interview, Question
+from course.explaining import explained_missing, explained_not_axes
 from course.factors import factor_message
+from course.figures import is_summary
 from course.given import shown_built
+from course.graphs import Structure, structure_fault
 from course.ladder import Answered, Fault, call_fault, entry_fault
 from course.language import Text
 from course.plain import Built, Plain, Refusal, numeric
@@ -28,6 +31,10 @@ _PASSED = Text(
     "{count} public examples are right. The work that you hand in is checked with many more inputs.",
     "公開例 {count} 個はすべて合っています。提出後の採点では、ほかの入力でも確かめます。",
 )
+_GRAPH_PASSED = Text(
+    "The graph has what such a graph needs. Whether it shows the right data is compared when the work is handed in.",
+    "グラフとして必要なものはそろっています。データが正しいかどうかは、提出後の採点で比べます。",
+)
 _WRONG = Text(
     "{name}({args}) gives {given}; the example says {expected}.",
     "{name}({args}) の結果が {given} になっています。公開例では {expected} です。",
@@ -40,7 +47,12 @@ def verdict_from_examples(name: str, ask: Callable[[Sequence[Question]], Intervi
     entries = _entries()
     if name not in entries:
         raise KeyError(f"no exercise is called {name!r}; there are: {', '.join(entries)}")
-    answered, questions, expected = entries[name]
+    entry = entries[name]
+    if isinstance(entry, Structure):
+        talk = ask(())
+        with undisturbed():
+            return _graph_verdict(name, entry, talk)
+    answered, questions, expected = entry
     talk = ask(questions)
     with undisturbed():
         return _verdict(answered, questions, expected, talk)
@@ -122,6 +134,18 @@ def _verdict(answered: Answered, questions: Sequence[Question], expected: Sequen
     return Verdict(name, 1.0, _PASSED.format(count=len(questions)), public=True)
 
 
+def _graph_verdict(name: str, structure: Structure, talk: Interview) -> Verdict:
+    """Return the verdict on a graph by its structure alone: there are no data here to compare it with."""
+    if talk.missing is not None:
+        return Verdict(name, 0.0, explained_missing(name, talk.missing), rung="defined", public=True)
+    if talk.figure is None or not is_summary(talk.figure):
+        return Verdict(name, 0.0, explained_not_axes(name, talk.kind), rung="callable", public=True)
+    fault = structure_fault(structure, talk.figure)
+    if fault is not None:
+        return Verdict(name, 0.0, fault.text, rung=fault.rung, misconception=fault.slug, public=True)
+    return Verdict(name, 1.0, _GRAPH_PASSED, public=True)
+
+
 def _fault_text(
     answered: Answered, questions: Sequence[Question], expected: Sequence[Plain], talk: Interview, fault: Fault
 ) -> Text:
@@ -136,12 +160,14 @@ def _fault_text(
 
 
 @cache
-def _entries() -> dict[str, tuple[Answered, list[Question], list[Plain]]]:
-    """Return for each exercise what it asks for, the examples' questions, and their results."""
+def _entries() -> dict[str, Structure | tuple[Answered, list[Question], list[Plain]]]:
+    """Return for each exercise what it asks for, the examples' questions, and their results; of a graph its structure."""
     return {name: _entry(name, entry) for name, entry in json.loads(FILE.read_text(encoding="utf-8")).items()}
 
 
-def _entry(name: str, entry: dict[str, Any]) -> tuple[Answered, list[Question], list[Plain]]:
+def _entry(name: str, entry: dict[str, Any]) -> Structure | tuple[Answered, list[Question], list[Plain]]:
+    if "graph" in entry:
+        return Structure(**{**entry["graph"], "scales": tuple(entry["graph"]["scales"])})
     answered = Answered(
         name,
         tuple(entry["parameters"]),

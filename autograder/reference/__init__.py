@@ -54,10 +54,23 @@ NOTEBOOKS: dict[str, tuple[str, ...]] = {
         "to_compass",
         "wrap_angle",
     ),
+    "odometry/wheel_odometry": (
+        "read_encoder_log",
+        "wheel_odometry",
+        "xy_axes",
+        "yaw_axes",
+        "speed_axes",
+        "recover_lost_counts",
+        "closing_error",
+        "umbmark",
+    ),
 }
 
 #: written answers, graded by hand with the rubric in the notebook's source
-WRITTEN: dict[str, tuple[str, ...]] = {"odometry/pose_update": ("q1_derivation",)}
+WRITTEN: dict[str, tuple[str, ...]] = {
+    "odometry/pose_update": ("q1_derivation",),
+    "odometry/wheel_odometry": ("odometry_discussion",),
+}
 
 
 @cache

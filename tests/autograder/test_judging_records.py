@@ -37,10 +37,6 @@ def columns_exchanged(path):
     return {"time": log["speed"], "speed": log["time"]}
 
 
-def table_alone(path):
-    return np.column_stack(list(read(path).values()))
-
-
 def cases(rng):
     def good():
         rows = rng.uniform(1, 9, (5, 2)).cumsum(axis=0)
@@ -53,6 +49,10 @@ def cases(rng):
     ]
 
 
+def a_table(path):
+    return np.column_stack(list(read(path).values()))
+
+
 READER = Exercise(
     name="read",
     notebook="odometry/pose_update",
@@ -62,7 +62,7 @@ READER = Exercise(
     cases=cases,
     examples=(),
     mistakes=tuple(
-        Mistake(wrong, Text(wrong.__name__, wrong.__name__)) for wrong in (line_counted_from_zero, columns_exchanged, table_alone)
+        Mistake(wrong, Text(wrong.__name__, wrong.__name__)) for wrong in (line_counted_from_zero, columns_exchanged, a_table)
     ),
     tolerance=RecordTolerance((("time", STAMPS), ("speed", Tolerance(skip=1, double=True)))),
     quantities=("time", "speed"),
@@ -108,6 +108,8 @@ def first_unknown(speed):
 
 WRONG = {
     "a tuple": (lambda path: tuple(read(path).values()), "shape", None, "time, speed"),
+    "a table": (a_table, "shape", "a_table", "a_table"),
+    "another table": (lambda path: 2 * a_table(path), "shape", None, "time, speed"),
     "an entry missing": (lambda path: {"time": read(path)["time"], "Speed": 0.0}, "shape", None, "time, Speed"),
     "nothing": (lambda path: read(path) and None, "shape", None, "return"),
     "an entry of another shape": (changed(speed=lambda speed: speed[1:]), "shape", None, "In the entry 'speed'"),
@@ -117,7 +119,6 @@ WRONG = {
     "numbers of another type": (changed(speed=np.float32), "shape", None, "float32"),
     "an entry in other units": (changed(speed=lambda speed: speed * 1000), "unit", None, "speed is right up to a constant"),
     "columns exchanged": (columns_exchanged, "value", "columns_exchanged", "columns_exchanged"),
-    "no dict, as a mistake gives it": (lambda path: table_alone(path).tolist(), "shape", "table_alone", "table_alone"),
     "nothing refused": (lenient, "shape", None, "raise ValueError"),
     "another error": (another_error, "runs", None, "another error came"),
     "no line named": (says_nothing, "value", None, "bad file"),
