@@ -5,7 +5,7 @@ import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import permutations
+from itertools import combinations, permutations
 from typing import NamedTuple
 
 import numpy as np
@@ -183,7 +183,7 @@ def _wrong_lines(lines: Sequence[_Line]) -> str:
         return "axes_exchanged"
     if _some_have(named["trapezoid"] or candidates, 4.0) and _some_have(named["euler"] or candidates, 2.0):
         return "squared_errors"
-    if any(np.array_equal(one.points, other.points) for one, other in permutations(candidates, 2)):
+    if any(np.array_equal(one.points, other.points) for one, other in combinations(candidates, 2)):
         return "same_line_twice"
     if _some_have(named["euler"], 2.0) and _some_have(named["trapezoid"], 1.0):
         return "names_exchanged"
@@ -205,7 +205,7 @@ def _all_within(line: _Line, slope: float, tolerance: float) -> bool:
 def _are_logarithms(lines: Sequence[_Line]) -> bool:
     """Are logarithms drawn, on axes that are linear? They are negative where the steps are small."""
     logarithms = [line.points for line in lines if (line.points < 0).any(axis=0).all()]
-    slopes = [np.polyfit(*points.T, 1)[0] for points in logarithms]
+    slopes = [np.polyfit(points[:, 0], points[:, 1], 1)[0] for points in logarithms]
     return all(any(abs(slope - order) <= SLOPE_TOLERANCE for slope in slopes) for order in _ORDERS.values())
 
 

@@ -14,7 +14,7 @@ def integral_groups(rng):
     """Return the groups of cases (f, a, b, n) of both integrals."""
 
     def polynomial(whole=False):
-        return built_integrand(rng.choice([-3, -2, -1, 1, 2, 3], 5) if whole else magnitudes(rng, 0.4, 1.5, 5))
+        return built_integrand(rng.choice([-3, -2, -1, 1, 2, 3], 3) if whole else magnitudes(rng, 0.4, 1.5, 5))
 
     def waves():
         rates = [(magnitudes(rng, 1.5, 3.0), rng.uniform(1.0, 2.0), rng.uniform(0, 6)) for _ in range(2)]
@@ -27,8 +27,15 @@ def integral_groups(rng):
     def drawn(function, *limits):
         return lambda: (function(), *interval(*limits))
 
-    def of_sign(sign):
-        return lambda f, a, b, n: (sign * _values(f, np.linspace(a, b, 4 * n + 1)) > 0).all() and telling_rules(f, a, b, n)
+    def of_one_sign(f, a, b, n):
+        values = _values(f, np.linspace(a, b, 4 * n + 1))
+        return (values * values[0] > 0).all() and telling_rules(f, a, b, n)
+
+    def signed(sign, draw, telling):
+        """Draw a telling case, and turn the function over if its sum has not the sign that is wanted."""
+        f, a, b, n = until(draw, telling)
+        turned = sign * _values(f, np.linspace(a, b, n + 1)).sum() < 0
+        return built_integrand(-f.data["powers"]) if turned else f, a, b, n
 
     def of_both_signs(f, a, b, n):
         values = _values(f, np.linspace(a, b, n + 1)[:-1])
@@ -37,9 +44,6 @@ def integral_groups(rng):
     def whole():
         n, a = int(rng.integers(2, 5)), int(rng.choice([-3, -2, 1, 2, 3]))
         return polynomial(whole=True), a, a + int(rng.choice([w for w in range(n + 1, 9) if w % n])), n
-
-    def positive(f, a, b, n):
-        return _values(f, np.linspace(a, b, n + 1)).sum() > 0 and telling_rules(f, a, b, n)
 
     def with_a_point_too_many():
         """Draw limits for which a + n h comes out beside b, so that np.arange has a point too many, up to b or to b + h."""
@@ -51,12 +55,13 @@ def integral_groups(rng):
 
     def walks_past(f, a, b, n):
         """Tell whether x += h, n times from a, ends below b, so that `while x < b` has a step too many."""
-        return np.cumsum([a] + [(b - a) / n] * n)[-1] < b and positive(f, a, b, n)
+        return np.cumsum([a] + [(b - a) / n] * n)[-1] < b and telling_rules(f, a, b, n)
 
     # an odd and an even number of intervals, whatever is drawn
-    upwards = [until(drawn(polynomial, counts), of_sign(sign)) for counts, sign in (([5, 7], 1), ([4, 6, 8], -1))]
-    downwards = [until(drawn(polynomial, range(3, 8), -1), of_sign(sign)) for sign in (1, -1)]
-    rounded = [until(with_a_point_too_many, positive), until(drawn(polynomial, range(5, 13)), walks_past)]
+    upwards = [signed(sign, drawn(polynomial, counts), of_one_sign) for counts, sign in (([5, 7], 1), ([4, 6, 8], -1))]
+    downwards = [signed(sign, drawn(polynomial, range(3, 8), -1), of_one_sign) for sign in (1, -1)]
+    past_b = [(with_a_point_too_many, telling_rules), (drawn(polynomial, range(5, 13)), walks_past)]
+    rounded = [signed(1, draw, telling) for draw, telling in past_b]
     return [
         Group(Text("a < b", "a < b の区間"), 4, upwards),
         Group(Text("b < a", "b < a の区間"), 2, downwards),
@@ -79,7 +84,7 @@ def telling_rules(f, a, b, n):
     # Simpson's rule comes close to the integral where n is large
     simpson = abs((left + right) / 6 + 2 / 3 * middle - exact)
     apart = np.diff(np.sort(rules)).min() > 5e-4 * scale and (n > 1 or simpson > 1e-3 * scale)
-    return apart and np.abs(rules).min() > 0.1 * scale and np.abs(y[[0, 1, -2, -1]]).min() > 0.1 * np.abs(y).mean()
+    return apart and np.abs(rules).min() > 0.1 * scale and np.abs(y[[0, 1, -2, -1]]).min() > 0.1 * scale / abs(h) / (n + 1)
 
 
 def _values(f, x):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from autograder.draws import magnitudes, until
+from autograder.draws import until
 from autograder.exercise import Exercise, Group, Mistake
 from course.language import Text
 
@@ -17,23 +17,20 @@ def reference(steps, errors):
 def cases(rng):
     """Draw errors near a power of the step; no two neighbouring points have the slope of them all."""
 
-    def errors_of(steps, order):
-        return abs(magnitudes(rng, 0.3, 3.0)) * steps**order * rng.uniform(0.6, 1.6, len(steps))
-
-    def points(count, order, largest=0.7):
+    def points(count, order, largest=0.7, spread=0.5):
         """Draw steps of uneven ratios, from the largest to the smallest, with the order given roughly."""
         steps = largest * np.exp(-np.cumsum(rng.uniform(0.3, 1.1, count)))
-        return steps, errors_of(steps, order)
+        return steps, rng.uniform(0.3, 3.0) * steps**order * np.exp(rng.uniform(-spread, spread, count))
 
     def shuffled(count, order):
-        steps, errors = points(count, order)
+        steps, errors = points(count, order, spread=1.2)
         mixed = rng.permutation(count)
         return steps[mixed], errors[mixed]
 
     def not_falling(steps, errors):
         """Tell whether sorting changes which error belongs to which step, even if both are sorted."""
         rank = np.argsort(np.argsort(steps))
-        return telling(steps, errors) and (rank != np.argsort(np.argsort(errors))).any() and (np.diff(rank) < 0).any()
+        return (rank != np.argsort(np.argsort(errors))).any() and (np.diff(rank) < 0).any() and telling(steps, errors)
 
     def whole(count):
         steps = rng.permutation([2, 3, 5, 8, 13])[:count]
@@ -75,7 +72,7 @@ def telling(steps, errors):
     ends = (y[-1] - y[0]) / (x[-1] - x[0])
     large, small = np.argmax(x), np.argmin(x)
     shortcuts = [*pairs, ends, (y[large] - y[small]) / (x[large] - x[small]), pairs.mean(), np.median(pairs)]
-    through_origin, exchanged = x @ y / (x @ x), np.var(y) / np.cov(x, y, ddof=0)[0, 1]
+    through_origin, exchanged = x @ y / (x @ x), y.var() / x.var() / slope
     others = np.array([*shortcuts, through_origin, exchanged, (y / x).mean(), y.mean() / x.mean()])
     return np.abs(others - slope).min() > 0.003 and clear_of_whole(steps, errors)
 
