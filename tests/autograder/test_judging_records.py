@@ -173,6 +173,6 @@ def twice(path):
 def test_a_reply_right_by_no_rule_is_compared_with_the_nearest():
     """Both entries are wrong by the reference; by the other rule it is the time alone, and no mistake is made out in the speed."""
     exercise = Exercise(**{**vars(READER), "also_right": (twice,), "mistakes": (Mistake(columns_exchanged, Text("no", "no")),)})
-    verdict = judged(exercise, partial(interview, changed(time=lambda time: 3 * time, speed=lambda speed: 2 * speed)), 1)
+    verdict = judged(exercise, partial(interview, changed(time=lambda time: 2000 * time, speed=lambda speed: 2 * speed)), 1)
     assert (verdict.rung, verdict.misconception) == ("unit", None)
     assert "time is right up to a constant" in verdict.message("en")
