@@ -94,21 +94,32 @@ def case_faults(exercise: Exercise, drawn: Trial, talk: Interview | None) -> tup
 
 
 def _best_rule(exercise: Exercise, drawn: Trial, replies: Sequence[Reply]) -> tuple[Sequence[Plain], list[Fault | None], float]:
-    """Return (expected values, faults, score) by the right rule that fits best; rules are never mixed."""
+    """Return (expected values, faults, score) by the right rule that fits best; rules are never mixed.
+
+    Where nothing is right by any rule, that one fits best by which most quantities are right: it is then known what is not.
+    """
     best: tuple[Sequence[Plain], list[Fault | None], float] | None = None
+    least = np.inf
     for rule in (exercise.reference, *exercise.also_right):
         expected = right_values(rule, drawn, exercise.refuses)
         faults = [
             call_fault(exercise.answered, question, right, reply)
             for question, right, reply in zip(drawn.questions, expected, replies, strict=True)
         ]
-        score = _score(drawn, faults)
-        if best is None or score > best[2]:
-            best = expected, faults, score
+        score, wrong = _score(drawn, faults), sum(map(_part_wrong, faults))
+        if best is None or score > best[2] or (score == best[2] and wrong < least):
+            best, least = (expected, faults, score), wrong
         if score == 1.0:
             break
     assert best is not None
     return best
+
+
+def _part_wrong(fault: Fault | None) -> float:
+    """Return what part of one reply is wrong; a fault beside a right value is none."""
+    if fault is None or fault.harmless:
+        return 0.0
+    return 1.0 if fault.wrong is None else float(np.mean(fault.wrong))
 
 
 def _failed_groups(drawn: Trial, faults: Sequence[Fault | None]) -> np.ndarray:
@@ -184,12 +195,12 @@ def _recognised(
     return explains_failures or explains_quantity, explains_failures is not None
 
 
-def _wrong_quantities(faults: Sequence[Fault | None]) -> np.ndarray | None:
-    """Return which quantities were wrong in every failing case, (k,) of bool; None if some case failed before its value."""
+def _wrong_quantities(faults: Sequence[Fault | None]) -> list[np.ndarray] | None:
+    """Return which quantities were wrong in each failing case, (k,) of bool each; None if some case failed before its value."""
     masks = [fault.wrong for fault in faults if fault is not None]
     if any(mask is None or len(mask) != len(masks[0]) for mask in masks):  # type: ignore[arg-type]
         return None
-    return np.all(np.stack(masks), axis=0)  # type: ignore[arg-type]
+    return masks  # type: ignore[return-value]
 
 
 def _agreement(  # noqa: PLR0913 - the evidence, and how much of it must agree
@@ -198,22 +209,25 @@ def _agreement(  # noqa: PLR0913 - the evidence, and how much of it must agree
     drawn: Trial,
     replies: Sequence[Reply],
     indices: Sequence[int],
-    wrong: np.ndarray | None,
+    wrong: Sequence[np.ndarray] | None,
 ) -> np.ndarray | None:
     """Return for each quantity whether the mistake gives what the answer gave in all these cases, (k,) of bool.
 
-    None as soon as it agrees in none of the quantities `wrong`; in not all of them, if `wrong` is None.
+    None as soon as there is a case of which it explains nothing: no quantity that is wrong there agrees in all cases. If `wrong`
+    is None, all quantities must agree.
     """
     agreement: np.ndarray | None = None
     for index in indices:
         same = _same_reply(exercise, wrong_reply(mistake.wrong, drawn, index), replies[index])
         agreement = same if agreement is None else _both(agreement, same)
-        telling = (
-            agreement.all() if wrong is None or len(wrong) != len(agreement) else (agreement & wrong).any() or agreement.all()
-        )
-        if not telling:
+        if not agreement.all() and not _explains(agreement, wrong):
             return None
     return agreement
+
+
+def _explains(agreement: np.ndarray, wrong: Sequence[np.ndarray] | None) -> bool:
+    """Is in every failing case something wrong of which the mistake gives the same?"""
+    return wrong is not None and all(len(mask) == len(agreement) and bool((agreement & mask).any()) for mask in wrong)
 
 
 def _both(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -164,3 +164,15 @@ def test_records_are_compared_entry_by_entry():
 
 def test_the_cases_are_drawn_afresh():
     assert repr(trial(READER, 1).questions) != repr(trial(READER, 2).questions)
+
+
+def twice(path):
+    return {key: 2 * values for key, values in read(path).items()}
+
+
+def test_a_reply_right_by_no_rule_is_compared_with_the_nearest():
+    """Both entries are wrong by the reference; by the other rule it is the time alone, and no mistake is made out in the speed."""
+    exercise = Exercise(**{**vars(READER), "also_right": (twice,), "mistakes": (Mistake(columns_exchanged, Text("no", "no")),)})
+    verdict = judged(exercise, partial(interview, changed(time=lambda time: 2000 * time, speed=lambda speed: 2 * speed)), 1)
+    assert (verdict.rung, verdict.misconception) == ("unit", None)
+    assert "time is right up to a constant" in verdict.message("en")

@@ -148,6 +148,11 @@ def median_step_taken_for_period(time, counts, period):
     return c * np.append(1, np.maximum(np.rint(np.diff(t) / p), 1))
 
 
+def stamps_in_float32(time, counts, period):
+    t, c = np.asarray(time, dtype=np.float32), np.asarray(counts, dtype=float)
+    return c * np.append(1, np.maximum(np.rint(np.diff(t) / period), 1))
+
+
 def mean_step_taken_for_period(time, counts, period):
     t, c = np.asarray(time, dtype=float), np.asarray(counts, dtype=float)
     p = np.mean(np.diff(t)) if len(t) > 1 else period
@@ -332,6 +337,13 @@ EXERCISE = Exercise(
             Text(
                 "The cycles are counted with the median of the steps. Where most cycles are lost that is no single cycle: use period.",
                 "間隔の中央値を周期とみなしています。抜けが多いログでは中央値は1周期になりません。引数periodを使いましょう。",
+            ),
+        ),
+        Mistake(
+            stamps_in_float32,
+            Text(
+                "The stamps are kept in float32, which has seven digits: in Unix seconds no gap can be seen any more. Keep time in float64.",
+                "時刻をfloat32で扱っています。有効桁数が7桁なので、Unix時間では抜けが見えなくなります。時刻はfloat64のままにしましょう。",
             ),
         ),
         Mistake(

@@ -264,20 +264,6 @@ def counters_exchanged(log, robot):
     return {"time": t - t[0], "x": x, "y": y, "theta": theta, "velocity": velocity, "yaw_rate": yaw_rate}
 
 
-def yaw_reversed(log, robot):
-    t = np.array(log["time"], dtype=float)
-    c1, c2 = np.array(log["counter1"], dtype=float), np.array(log["counter2"], dtype=float)
-    metres = 2 * np.pi * robot.radius / (robot.gear * robot.counts_per_rev)
-    right, left = (c1, c2) if robot.right_counter == 1 else (c2, c1)
-    right, left = robot.sign_right * metres * right[1:], robot.sign_left * metres * left[1:]
-    distance, turn, dt = (right + left) / 2, (left - right) / robot.tread, np.diff(t)
-    theta = np.append(0, np.cumsum(turn))
-    x = np.append(0, np.cumsum(distance * np.cos(theta[:-1])))
-    y = np.append(0, np.cumsum(distance * np.sin(theta[:-1])))
-    velocity, yaw_rate = np.append(0, distance / dt), np.append(0, turn / dt)
-    return {"time": t - t[0], "x": x, "y": y, "theta": theta, "velocity": velocity, "yaw_rate": yaw_rate}
-
-
 def tread_without_sign(log, robot):
     t = np.array(log["time"], dtype=float)
     c1, c2 = np.array(log["counter1"], dtype=float), np.array(log["counter2"], dtype=float)
@@ -285,6 +271,20 @@ def tread_without_sign(log, robot):
     right, left = (c1, c2) if robot.right_counter == 1 else (c2, c1)
     right, left = robot.sign_right * metres * right[1:], robot.sign_left * metres * left[1:]
     distance, turn, dt = (right + left) / 2, (right - left) / abs(robot.tread), np.diff(t)
+    theta = np.append(0, np.cumsum(turn))
+    x = np.append(0, np.cumsum(distance * np.cos(theta[:-1])))
+    y = np.append(0, np.cumsum(distance * np.sin(theta[:-1])))
+    velocity, yaw_rate = np.append(0, distance / dt), np.append(0, turn / dt)
+    return {"time": t - t[0], "x": x, "y": y, "theta": theta, "velocity": velocity, "yaw_rate": yaw_rate}
+
+
+def yaw_reversed(log, robot):
+    t = np.array(log["time"], dtype=float)
+    c1, c2 = np.array(log["counter1"], dtype=float), np.array(log["counter2"], dtype=float)
+    metres = 2 * np.pi * robot.radius / (robot.gear * robot.counts_per_rev)
+    right, left = (c1, c2) if robot.right_counter == 1 else (c2, c1)
+    right, left = robot.sign_right * metres * right[1:], robot.sign_left * metres * left[1:]
+    distance, turn, dt = (right + left) / 2, (left - right) / robot.tread, np.diff(t)
     theta = np.append(0, np.cumsum(turn))
     x = np.append(0, np.cumsum(distance * np.cos(theta[:-1])))
     y = np.append(0, np.cumsum(distance * np.sin(theta[:-1])))
@@ -1298,17 +1298,17 @@ EXERCISE = Exercise(
             ),
         ),
         Mistake(
-            yaw_reversed,
-            Text(
-                "The yaw has the opposite sign. The yaw rate is right minus left over the tread, and the tread keeps its sign.",
-                "ヨー角の符号が逆です。角速度は(右−左)をトレッドで割ったもので、トレッドの符号はそのまま使います。",
-            ),
-        ),
-        Mistake(
             tread_without_sign,
             Text(
                 "The sign of the tread is dropped. A negative tread is no mistake: it says that this robot's yaw counts clockwise, as its IMU does. With abs() its path is a mirror image.",
                 "トレッドの符号が落ちています。負のトレッドは間違いではなく、IMUと同じく時計回りを正とすることを表します。abs()を取ると経路が鏡像になります。",
+            ),
+        ),
+        Mistake(
+            yaw_reversed,
+            Text(
+                "The yaw has the opposite sign. The yaw rate is right minus left over the tread, and the tread keeps its sign.",
+                "ヨー角の符号が逆です。角速度は(右−左)をトレッドで割ったもので、トレッドの符号はそのまま使います。",
             ),
         ),
         Mistake(
