@@ -191,7 +191,7 @@ def poor_graphs() -> "Figure":
     left, middle, right = (figure.add_axes((start, 0.22, 0.235, 0.66)) for start in (0.085, 0.42, 0.75))
     left.plot(path.real, path.imag)
     left.set(xlabel="x", ylabel="y", ylim=(-1.0, 2.4))
-    middle.plot(1.7e9 + time, np.degrees((yaw + np.pi) % (2 * np.pi) - np.pi))
+    middle.plot(1.7e9 + time, np.angle(np.exp(1j * yaw), deg=True))
     middle.set(
         xlabel=in_chosen_language(Text("time [s]", "時刻 [s]")), ylabel=in_chosen_language(Text("yaw [deg]", "ヨー角 [deg]"))
     )

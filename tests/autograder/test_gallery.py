@@ -9,6 +9,7 @@ import pytest
 import course.drawings
 import course.views
 from autograder.gallery import gallery_page
+from course.views import film
 
 SHARED = {"robot", "view", "film"}
 
@@ -32,7 +33,11 @@ class Reader(HTMLParser):
 
 @pytest.fixture(scope="module", params=["en", "ja"])
 def page(request):
-    return request.param, gallery_page(request.param)
+    """The page, with films of three frames: drawing all of them takes seconds."""
+    whole = film.FuncAnimation
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(film, "FuncAnimation", lambda *made, frames, **options: whole(*made, frames=min(frames, 3), **options))
+        yield request.param, gallery_page(request.param)
 
 
 @pytest.mark.xdist_group("gallery")

@@ -158,6 +158,14 @@ def test_wheels_view_refuses_a_tread_that_is_no_length(tread: float, chosen: str
     assert bool(KANA_OR_KANJI.search(str(caught.value))) is (chosen == "ja")
 
 
+@pytest.fixture
+def few_frames(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Films have three frames: drawing all of them takes seconds."""
+    whole = film.FuncAnimation
+    monkeypatch.setattr(film, "FuncAnimation", lambda *made, frames, **options: whole(*made, frames=min(frames, 3), **options))
+
+
+@pytest.mark.usefixtures("few_frames")
 @pytest.mark.parametrize("made", FILMS, ids=["encoder", "drive", "line"])
 def test_films_need_no_network_and_speak_the_chosen_language(
     made: Callable[[], film.Film], chosen: str, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from autograder.exercise import GraphExercise, GraphFault, Mistake
+from course.graphs import Structure
 from course.language import Text
 from course.plain import Plain
 
@@ -599,6 +600,7 @@ EXERCISE = GraphExercise(
     name="convergence_axes",
     notebook="odometry/integration",
     points=5,
+    structure=Structure(scales=("log", "log"), lines=2, legend=True),
     drawn_from=_nothing_shown,
     fault=fault,
     mistakes=(
