@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from matplotlib.pyplot import close
+
 from autograder.editions import edition, source_cells
 from autograder.exercise import GraphExercise
 from autograder.grading import notebook_names
@@ -195,8 +197,12 @@ def _expected(exercise: str, wrong: str | None, odd: str | None) -> Expected:
         return Expected(0.0, None, wrong)
     known = exercise_named(exercise)
     mistake = _mistake(exercise, wrong)
-    # a graph's mistake draws
-    verdict = judge(exercise, mistake(known.shown) if isinstance(known, GraphExercise) else mistake, seed=0)
+    if isinstance(known, GraphExercise):
+        drawn = mistake(known.shown)
+        verdict = judge(exercise, drawn, seed=0)
+        close(drawn.figure)
+    else:
+        verdict = judge(exercise, mistake, seed=0)
     return Expected(round(verdict.score * points, 4), wrong, wrong)
 
 
