@@ -55,7 +55,11 @@ class SampleStudent:
 
 STUDENTS: dict[str, SampleStudent] = {
     "s01-akari": SampleStudent("ja"),
-    "s02-ben": SampleStudent("en", {"trapezoid_integral": "last_trapezoid_left_out", "adjust_pos_gl": "sp_stays"}),
+    "s02-ben": SampleStudent(
+        "en",
+        {"trapezoid_integral": "last_trapezoid_left_out", "adjust_pos_gl": "sp_stays"},
+        inherits={"convergence_axes": "trapezoid_of_first_order"},
+    ),
     "s03-chie": SampleStudent(
         "ja",
         {"pose_step": "sin_cos_exchanged", "wheel_angle": "gear_forgotten", "wrap_angle": "not_wrapped"},
@@ -98,7 +102,7 @@ STUDENTS: dict[str, SampleStudent] = {
             "dead_reckoning": "heading_one_step_late",
             "wheel_speed": "mean_time_step",
             "observed_order": "step_and_error_exchanged",
-            "recover_lost_counts": "cycles_rounded_down",
+            "recover_lost_counts": "only_lost_cycles_counted",
         },
     ),
     "s08-holly": SampleStudent("en", {"quadrature_count": "direction_lost", "speed_resolution": ENDLESS}),
