@@ -53,7 +53,7 @@ def calibration_view(odometry: Odometry, log: Columns, truth: Columns, robot: Ro
     return View(
         draw,
         Slider(Text("radius of both wheels [%]", "両輪の半径 [%]"), -5, 5, 0.25, 0),
-        Slider(Text("radius of the right wheel only [%]", "右車輪だけの半径 [%]"), -1, 1, 0.05, 0),
+        Slider(Text("radius of right wheel [%]", "右車輪だけの半径 [%]"), -1, 1, 0.05, 0),
         Slider(Text("tread [%]", "トレッド [%]"), -5, 5, 0.25, 0),
     )
 
