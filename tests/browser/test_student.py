@@ -13,11 +13,12 @@ return [x + distance * np.sin(theta), y + distance * np.cos(theta), theta + dthe
 RIGHT = WRONG.replace("np.sin", "np.COS").replace("np.cos", "np.sin").replace("np.COS", "np.cos")
 
 # the truth stands in for what the exercises before the graph compute
-OVER_ROWS = """truth = read_truth(data_path("encoder_practical.truth.csv"))
+OVER_ROWS = """# Bind to yaw_axes
+truth = read_truth(data_path("encoder_practical.truth.csv"))
 _, yaw_axes = plt.subplots()
 yaw_axes.plot(truth["theta"])
 yaw_axes.set(xlabel="t [s]", ylabel="yaw [rad]")"""
-OVER_TIME = OVER_ROWS.replace('truth["theta"]', 'truth["time"], truth["theta"]')
+OVER_TIME = OVER_ROWS.replace('truth["theta"]', 'truth["time"] - truth["time"][0], truth["theta"]')
 
 
 def open_notebook(page: Page, address: str, path: str) -> None:
