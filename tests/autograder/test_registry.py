@@ -52,8 +52,9 @@ def solution_cells() -> dict[str, str]:
 def namespace_of(notebook: str) -> dict[str, object]:
     """What the solution cells of one notebook define, later ones on top of earlier ones."""
     space: dict[str, object] = {"np": np}
-    for name in NOTEBOOKS[notebook]:
-        exec("import math\nimport numpy as np\nimport sympy as sp\n" + solution_cells()[name], space)
+    # graphs are drawn from what the other cells of the notebook have loaded
+    for name in [exercise.name for exercise in FUNCTIONS if exercise.notebook == notebook]:
+        exec("import math\nimport re\nimport numpy as np\nimport sympy as sp\n" + solution_cells()[name], space)
     return space
 
 
