@@ -5,7 +5,7 @@ BIN := .venv/bin
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 export MPLBACKEND ?= Agg
 
-.PHONY: help demo test slow quick lab build data environment bench lint sandbox chromium postgresql clean
+.PHONY: help demo test slow quick lab build gallery data environment bench lint sandbox chromium postgresql clean
 
 help:            ## what there is to type
 	@grep -E '^[a-z]+:.*##' Makefile | sed -E 's/:.*##/\t/'
@@ -28,6 +28,9 @@ lab: .venv/.ready    ## open JupyterLab on a copy of the student notebooks, in b
 
 build: .venv/.ready    ## make release/ and the public examples from source/
 	$(BIN)/autograder build
+
+gallery: .venv/.ready    ## a page in each language with every drawing, view and film, in build/gallery/
+	$(BIN)/autograder gallery
 
 data: .venv/.ready    ## make the logs in data/ anew
 	$(BIN)/python -m course.datasets data

@@ -151,6 +151,20 @@ def demo(
 
 
 @app.command()
+def gallery(
+    folder: Annotated[Path, typer.Option(help="Where the pages are written, as en.html and ja.html.")] = Path("build/gallery"),
+) -> None:
+    """Write a page in each language with every drawing, view and film of the course, and its alternative text.
+
+    [dim]autograder gallery[/], then open build/gallery/en.html
+    """
+    from autograder.gallery import write_gallery
+
+    for path in write_gallery(folder):
+        output.print(escape(str(path)), highlight=False)
+
+
+@app.command()
 def explain(
     student: Annotated[str, typer.Argument(help="The student, as in submitted/.")],
     assignment: Annotated[str, typer.Argument(help="The assignment, such as odometry.")],

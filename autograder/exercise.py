@@ -152,7 +152,7 @@ def trial(exercise: Exercise, seed: int) -> Trial:
 def _as_python(arg: Plain) -> Plain:
     """Return NumPy's scalars, which draws leave behind, as Python's numbers, and tuples as lists: so they stay on every way."""
     if isinstance(arg, Built):
-        return arg
+        return Built(arg.kind, _as_python(arg.data))
     if isinstance(arg, np.generic):
         return arg.item()
     if isinstance(arg, list | tuple):

@@ -9,7 +9,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from matplotlib.pyplot import close
+
 from autograder.editions import edition, source_cells
+from autograder.exercise import GraphExercise
 from autograder.grading import notebook_names
 from autograder.judging import judge
 from autograder.reference import NOTEBOOKS, WRITTEN, exercise_named
@@ -52,27 +55,55 @@ class SampleStudent:
 
 STUDENTS: dict[str, SampleStudent] = {
     "s01-akari": SampleStudent("ja"),
-    "s02-ben": SampleStudent("en"),
+    "s02-ben": SampleStudent(
+        "en",
+        {"trapezoid_integral": "last_trapezoid_left_out", "adjust_pos_gl": "sp_stays"},
+        inherits={"convergence_axes": "trapezoid_of_first_order"},
+    ),
     "s03-chie": SampleStudent(
         "ja",
-        {"pose_step": "sin_cos_exchanged", "wheel_angle": "gear_forgotten"},
+        {"pose_step": "sin_cos_exchanged", "wheel_angle": "gear_forgotten", "wrap_angle": "not_wrapped"},
         inherits={"dead_reckoning": "sin_cos_exchanged", "wheel_speed": "gear_forgotten"},
     ),
     "s04-dan": SampleStudent(
         "en",
-        {"pose_step": "new_heading_used", "body_velocity": "half_missing", "count_increments": "wrap_ignored"},
+        {
+            "pose_step": "new_heading_used",
+            "body_velocity": "half_missing",
+            "count_increments": "wrap_ignored",
+            "umbmark": "alpha_and_beta_exchanged",
+        },
         inherits={"dead_reckoning": "new_heading_used"},
     ),
     "s05-emi": SampleStudent(
         "ja",
-        {"planar_rotation": "transposed", "body_velocity_matrix": "radii_exchanged"},
+        {
+            "planar_rotation": "transposed",
+            "body_velocity_matrix": "radii_exchanged",
+            "integrate_increments": "euler_rule",
+            "convergence_axes": "linear_axes",
+        },
         inherits={"pose_step_matrix": "rotated_backwards"},
     ),
     "s06-finn": SampleStudent(
-        "en", {"displacement": "dt_forgotten", "pose_step_arc": STUB, "wheel_signs": "straight_part_decides"}
+        "en",
+        {
+            "displacement": "dt_forgotten",
+            "pose_step_arc": STUB,
+            "wheel_signs": "straight_part_decides",
+            "line_command_changes": "answers_exchanged",
+            "closing_error": "heading_at_the_end_returned",
+        },
     ),
     "s07-goro": SampleStudent(
-        "ja", {"displacement": PRINTS, "dead_reckoning": "heading_one_step_late", "wheel_speed": "mean_time_step"}
+        "ja",
+        {
+            "displacement": PRINTS,
+            "dead_reckoning": "heading_one_step_late",
+            "wheel_speed": "mean_time_step",
+            "observed_order": "step_and_error_exchanged",
+            "recover_lost_counts": "only_lost_cycles_counted",
+        },
     ),
     "s08-holly": SampleStudent("en", {"quadrature_count": "direction_lost", "speed_resolution": ENDLESS}),
     "s09-ichiro": SampleStudent(
@@ -168,7 +199,14 @@ def _expected(exercise: str, wrong: str | None, odd: str | None) -> Expected:
         return Expected(float(points), None, "right")
     if wrong == STUB or wrong in _ODD_ANSWERS:
         return Expected(0.0, None, wrong)
-    verdict = judge(exercise, _mistake(exercise, wrong), seed=0)
+    known = exercise_named(exercise)
+    mistake = _mistake(exercise, wrong)
+    if isinstance(known, GraphExercise):
+        drawn = mistake(known.shown)
+        verdict = judge(exercise, drawn, seed=0)
+        close(drawn.figure)
+    else:
+        verdict = judge(exercise, mistake, seed=0)
     return Expected(round(verdict.score * points, 4), wrong, wrong)
 
 
@@ -214,5 +252,9 @@ def _answer(grade_id: str, plan: SampleStudent, solved: Mapping[str, str], stub:
         return stub
     if wrong in _ODD_ANSWERS:
         return _ODD_ANSWERS[wrong].format(name=grade_id)
-    source = inspect.getsource(_mistake(grade_id, wrong)).replace(f"def {wrong}(", f"def {grade_id}(", 1)
+    source = inspect.getsource(_mistake(grade_id, wrong))
+    if isinstance(exercise_named(grade_id), GraphExercise):
+        source += f"\n\n{grade_id} = {wrong}()\n"
+    else:
+        source = source.replace(f"def {wrong}(", f"def {grade_id}(", 1)
     return f"import math\n\nimport numpy as np\nimport sympy as sp\n\n\n{source}"

@@ -43,6 +43,8 @@ def main(root: Path, told: Path) -> None:
             os.wait()
         child = os.fork()
         if child == 0:
+            # as in any process that runs notebooks
+            gc.enable()
             for source, questions in steps:
                 if questions is None:
                     cells.run(source, 30.0)

@@ -212,9 +212,10 @@ def _not_finite(given: np.ndarray) -> str:
 
 
 def _changed_inputs(answered: Answered, question: Question, reply: Reply) -> Text:
-    pairs = zip(answered.parameters, question.args, reply.inputs, strict=False)
+    pairs = list(zip(answered.parameters, question.args, reply.inputs, strict=False))
     changed = [name for name, before, after in pairs if not identical(before, after)]
-    return _CHANGED.format(names=", ".join(changed) or "?")
+    text = _CHANGED_DICT if any(isinstance(before, dict) for name, before, _ in pairs if name in changed) else _CHANGED
+    return text.format(names=", ".join(changed) or "?")
 
 
 def names_of_wrong(answered: Answered, faults: Sequence[Fault]) -> tuple[list[str], list[str]]:
@@ -268,6 +269,12 @@ _CHANGED = Text(
     "something else. Work on a copy, for example np.array({names}, dtype=float), instead of += on the argument.",
     "関数が引数({names})を書き換えています。呼び出した側では元の値がまだ必要ですし、セルを再実行すると結果が変わってしまいます。"
     "引数に直接 += などをせず、np.array({names}, dtype=float) のようにコピーしてから計算しましょう。",
+)
+_CHANGED_DICT = Text(
+    "Your function changes its input ({names}). Whoever calls it still needs the old values, and a second run of the cell gives "
+    "something else. Put the results into a new dict, for example dict({names}), and change none of the old arrays with += either.",
+    "関数が引数({names})を書き換えています。呼び出した側では元の値がまだ必要ですし、セルを再実行すると結果が変わってしまいます。"
+    "結果は dict({names}) などの新しい dict に入れ、元の配列も += などで書き換えないようにしましょう。",
 )
 _TRUTH = Text(
     "Your function returns True or False where a number is asked for. Look at what the last line returns: is it a comparison?",

@@ -239,8 +239,14 @@ class Cells:
         getpass.getpass = _refused_getpass
 
     def warm_up(self) -> None:
-        """Run a cell and draw a figure with a formula and Japanese in it, as the first notebook would; nothing of it stays."""
+        """Run a cell, fail in another, and draw a figure with a formula and Japanese, as a first notebook would; nothing of it stays.
+
+        The first traceback looks at the files of all modules, which takes longer than most notebooks.
+        """
         self._shell.run_cell("import math; [math.pi]", store_history=False, silent=True)
+        self._shell.run_cell("(lambda: math.sqrt(-1))()", store_history=False, silent=True)
+        self._outputs.clear()
+        del sys.last_type, sys.last_value, sys.last_traceback
         figure = new_axes().figure
         figure.suptitle(r"姿勢 $\theta_1$")
         print_figure(figure, "png")

@@ -24,6 +24,7 @@ from autograder.sandbox.cells import Cells
 from autograder.sandbox.confinement import Seal, adopt_grandchildren, confined_child, limit_resources, seal_if_possible
 from autograder.sandbox.runner import serve
 from autograder.sandbox.wire import MAX_CONTROL
+from course.answers import Question, reply_to
 
 # imported by students' notebooks, or by Matplotlib, IPython and NumPy at their first use
 _WARM = ("numpy.random", "numpy.fft", "numpy.linalg", "matplotlib.pyplot", "sympy", "scipy", "ipywidgets", "unittest.mock")
@@ -139,6 +140,8 @@ def warm_cells() -> Cells:
         # the editions choose the language when they are imported: that is left to the notebook
         if module.name not in ("course.en", "course.ja"):
             importlib.import_module(module.name)
+    # SymPy loads half of itself with the first sum, and the rest with the first number that is put in
+    reply_to(lambda a, b: a + 2 * sys.modules["sympy"].cos(b), Question((0.5, 1.0), symbols=True))
     cells = Cells()
     cells.warm_up()
     gc.collect()

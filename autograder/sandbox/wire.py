@@ -147,12 +147,12 @@ def _encodable(text: str) -> str:
 
 def packed_questions(questions: tuple[Question, ...]) -> list[dict[str, Plain]]:
     """Return questions as plain data."""
-    return [{"args": list(question.args), "symbols": question.symbols} for question in questions]
+    return [{"args": list(question.args)} | ({"symbols": True} if question.symbols else {}) for question in questions]
 
 
 def unpacked_questions(data: list[dict[str, Plain]]) -> tuple[Question, ...]:
     """Return the questions that `packed_questions` packed."""
-    return tuple(Question(tuple(item["args"]), item["symbols"]) for item in data)
+    return tuple(Question(tuple(item["args"]), item.get("symbols", False)) for item in data)
 
 
 def packed_interview(talk: Interview, questions: Sequence[Question] = ()) -> dict[str, Plain]:
@@ -166,17 +166,22 @@ def packed_interview(talk: Interview, questions: Sequence[Question] = ()) -> dic
         "kind": talk.kind,
         "mismatch": None if talk.mismatch is None else list(talk.mismatch),
         "figure": None if talk.figure is None else dict(talk.figure),
-        "replies": [
-            {
-                "value": reply.value,
-                "trouble": None if reply.trouble is None else asdict(reply.trouble),
-                "inputs": None if question is not None and _unchanged(question, reply) else list(reply.inputs),
-                "printed": reply.printed,
-                "warned": list(reply.warned),
-            }
-            for question, reply in zip(asked, talk.replies, strict=False)
-        ],
+        "replies": [_packed_reply(reply, question) for question, reply in zip(asked, talk.replies, strict=False)],
     }
+
+
+def _packed_reply(reply: Reply, question: Question | None) -> dict[str, Plain]:
+    """Return a reply as plain data. What goes without saying is left out: most replies are a value and nothing else."""
+    packed: dict[str, Plain] = {"value": reply.value}
+    if reply.trouble is not None:
+        packed["trouble"] = asdict(reply.trouble)
+    if question is None or not _unchanged(question, reply):
+        packed["inputs"] = list(reply.inputs)
+    if reply.printed:
+        packed["printed"] = reply.printed
+    if reply.warned:
+        packed["warned"] = list(reply.warned)
+    return packed
 
 
 def _unchanged(question: Question, reply: Reply) -> bool:
@@ -244,12 +249,17 @@ def _trouble(data: Plain) -> Trouble | None:
     raise WireError("not a trouble")
 
 
+_REPLY = {"value", "trouble", "inputs", "printed", "warned"}
+
+
 def _reply(data: Plain, question: Question | None) -> Reply:
-    match data:
-        case {"value": value, "trouble": trouble, "inputs": inputs, "printed": str(printed), "warned": list(warned)}:
-            texts = tuple(text[:500] for text in warned[:5] if isinstance(text, str))
-            return Reply(value, _trouble(trouble), _inputs(inputs, question), printed[:2000], texts)
-    raise WireError("not a reply")
+    if not isinstance(data, dict) or not data.keys() <= _REPLY:
+        raise WireError("not a reply")
+    printed, warned = data.get("printed", ""), data.get("warned", [])
+    if not isinstance(printed, str) or not isinstance(warned, list):
+        raise WireError("not a reply")
+    texts = tuple(text[:500] for text in warned[:5] if isinstance(text, str))
+    return Reply(data.get("value"), _trouble(data.get("trouble")), _inputs(data.get("inputs"), question), printed[:2000], texts)
 
 
 def _inputs(data: Plain, question: Question | None) -> tuple[Plain, ...]:

@@ -53,7 +53,8 @@ def drive_animation(poses: "ArrayLike", *, tread: float = BEEGO_TREAD, seconds: 
             pose = track[chosen[frame]]
             robot.extend(draw_robot(axes, pose, tread=width))
             trail.set_data(*track[: chosen[frame] + 1, :2].T)
-            numbers = f"x = {pose[0]:.2f} m,  y = {pose[1]:.2f} m,  θ = {math.degrees(pose[2]):.0f}°"
+            # z: no minus sign before a zero
+            numbers = f"x = {pose[0]:z.2f} m,  y = {pose[1]:z.2f} m,  θ = {math.degrees(pose[2]):z.0f}°"
             readout.set_text(numbers.replace("-", "−"))
 
         return Film(figure, draw, len(chosen), seconds, _alt_of_drive(track))

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from autograder import building
-from autograder.reference import NOTEBOOKS
+from tests.contents import table_of_contents
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -105,10 +105,7 @@ def bundle(tmp_path_factory):
     """A folder with `course` and the public examples, and no autograder."""
     folder = tmp_path_factory.mktemp("bundle")
     shutil.copytree(ROOT / "course", folder / "course", ignore=shutil.ignore_patterns("__pycache__"))
-    with pytest.MonkeyPatch.context() as patch:
-        for name in [*NOTEBOOKS]:
-            patch.delitem(NOTEBOOKS, name)
-        patch.setitem(NOTEBOOKS, "odometry/pose_update", ("pose_step", "q1_symbolic"))
+    with table_of_contents({"odometry/pose_update": ("pose_step", "q1_symbolic")}, {}):
         (folder / "course/examples.json").write_bytes(building._examples())
     return folder
 

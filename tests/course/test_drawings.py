@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from course import language
-from course.drawings import encoders, pose_update
+from course.drawings import encoders, frames, integration, pose_update, wheel_odometry
 from course.drawings.robot import draw_robot
 from course.plotting import new_sketch
 
@@ -22,6 +22,21 @@ DRAWINGS = [
     encoders.mirrored_motors,
     encoders.counter_wrap,
     encoders.signed_tread,
+    integration.pieces_of_area,
+    integration.last_trapezoid,
+    integration.uneven_stamps,
+    integration.samples_and_means,
+    frames.point_in_two_frames,
+    frames.chain_of_frames,
+    frames.ypspur_frames,
+    frames.axes_of_slides_003,
+    frames.half_tread,
+    frames.compass_and_heading,
+    wheel_odometry.practical,
+    wheel_odometry.log_rows,
+    wheel_odometry.lost_cycles,
+    wheel_odometry.poor_graphs,
+    wheel_odometry.umbmark_squares,
 ]
 KANA_OR_KANJI = re.compile(r"[ぁ-んァ-ヶ一-龠]")
 
@@ -81,6 +96,33 @@ def test_step_paths_end_where_geometry_says(distance: float, dtheta: float, head
 def test_a_leads_b_when_the_count_rises() -> None:
     a, b = encoders.quadrature_bits(np.arange(5))
     assert [f"{one:d}{other:d}" for one, other in zip(a, b, strict=True)] == ["00", "10", "11", "01", "00"]
+
+
+def test_the_uneven_stamps_enclose_the_areas_that_are_written_there() -> None:
+    areas = [text for text in texts(integration.uneven_stamps()) if re.search(r"\d\.\d\d$", text)]
+    true_area, pretended = 0.5, (0.05 + 0.15 + 0.6) / 3
+    assert [float(area.split()[-1]) for area in areas] == pytest.approx([true_area, pretended], abs=0.005)
+
+
+def test_means_lie_on_the_speed_half_an_interval_before_their_ends() -> None:
+    means = next(line for line in integration.samples_and_means().figure.axes[1].get_lines() if line.get_marker() == "s")
+    ends, levels = means.get_xydata().T
+    assert levels == pytest.approx(integration._speed(ends - 0.5))
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_square_with_the_right_parameters_closes(way: int) -> None:
+    path = wheel_odometry._driven_square(way, wheel_ratio=1.0, tread_ratio=1.0)
+    assert path[-1] == pytest.approx(0, abs=1e-9)
+    assert path[440] == pytest.approx(4 + 4j * way)
+
+
+def test_a_wrong_tread_mirrors_the_returns_and_unequal_wheels_do_not() -> None:
+    ends = [wheel_odometry._driven_square(way, 1.0, 0.94)[-1] for way in (1, -1)]
+    assert ends[0] == pytest.approx(np.conj(ends[1]))
+    left, right = (wheel_odometry._driven_square(way, 1.012, 1.0)[-1].real for way in (1, -1))
+    assert left > 0.5
+    assert right < -0.5
 
 
 def test_robot_looks_where_its_heading_points() -> None:

@@ -178,3 +178,12 @@ NAMES = [
 @pytest.mark.parametrize(("faults", "names"), NAMES)
 def test_wrong_quantities_are_named(faults, names):
     assert names_of_wrong(POSE, faults) == names
+
+
+def test_a_changed_dict_is_to_be_copied_as_a_dict():
+    log = {"time": np.array([1.0, 2.0])}
+    reply = Reply(1.0, inputs=({"time": np.array([1.0, 3.0])},))
+    fault = call_fault(Answered("mean_speed", ("log",)), Question((log,)), 1.0, reply)
+    assert fault.rung == "inputs"
+    assert "dict(log)" in fault.text.en
+    assert "dict(log)" in fault.text.ja

@@ -100,6 +100,15 @@ def test_only_the_named_angles_are_wrapped():
     assert right(LAST_AXIS, [0.0, 0.0, turn], [0.0, 0.0, 0.0]) == [True, True, False]
 
 
+def test_two_answers_that_leave_out_the_angle_can_be_compared():
+    assert right(Tolerance(axis=-1, angles=(2,)), [1.0, 2.0], [1.0, 2.5]) == [True, False]
+    assert right(Tolerance(axis=-1, angles=(2,)), 1.0, 1.0) == [True]
+
+
+def test_two_empty_answers_can_be_compared():
+    assert right(LAST_AXIS, [], []) == []
+
+
 @pytest.mark.parametrize("tolerance", [ONE_QUANTITY, LAST_AXIS, FIRST_AXIS, Tolerance(angles=(0,))], ids=str)
 def test_nan_is_never_right(tolerance):
     expected = np.array([1.0, 2.0])
