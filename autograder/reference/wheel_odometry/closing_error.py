@@ -18,13 +18,13 @@ def cases(rng):
     """Draw drives that begin away from the origin, at any heading, and end anywhere; turns are clear of 0 and of half a turn."""
 
     def drive(rows, turns=0, bit=None, at=None):
-        """Return `rows` poses that end `turns` whole turns, and a bit to the side `bit`, from where they began."""
+        """Return `rows` poses that end `turns` whole turns, and a bit (about `bit` rad), from where they began."""
         bit = rng.choice([-1, 1]) if bit is None else bit
         way = np.column_stack(
             [magnitudes(rng, 0.3, 1.5, rows), magnitudes(rng, 0.3, 1.5, rows), rng.uniform(-0.9, 0.9, rows)]
         ).cumsum(axis=0)
-        way[:, 2] += np.linspace(0, turns * 2 * np.pi + bit * rng.uniform(0.9, 2.2) - way[-1, 2] + way[0, 2], rows)
-        begin = [magnitudes(rng, 1.0, 3.0), magnitudes(rng, 1.0, 3.0), heading(rng)] if at is None else at
+        way[:, 2] += np.linspace(0, turns * 2 * np.pi + bit * rng.uniform(0.9, 1.4) - way[-1, 2] + way[0, 2], rows)
+        begin = [magnitudes(rng, 1.1, 3.0), magnitudes(rng, 1.1, 3.0), heading(rng)] if at is None else at
         return (way - way[0] + begin,)
 
     def telling(trajectory):
@@ -50,11 +50,11 @@ def cases(rng):
         ]
     )
     return [
-        Group(Text("less than a turn", "1周未満"), 3, [some(6, 0, side), some(9, 0, -side)]),
-        Group(Text("more than a turn", "1周を超える経路"), 2, [some(7, side, -side), some(8, -2 * side, -side)]),
+        Group(Text("less than a turn", "一周未満"), 3, [some(6, 0, side), some(9, 0, -2 * side)]),
+        Group(Text("more than a turn", "一周を超える経路"), 2, [some(7, side, -side), some(8, -2 * side, -side)]),
         Group(Text("from the origin", "原点からの出発"), 1, [some(6, 0, None, np.zeros(3))]),
-        Group(Text("two poses", "姿勢が2つ"), 1, [two()]),
-        Group(Text("one pose", "姿勢が1つ"), 1, [drive(1)]),
+        Group(Text("two poses", "姿勢が二つ"), 1, [two()]),
+        Group(Text("one pose", "姿勢が一つ"), 1, [drive(1)]),
         Group(Text("lists", "リスト"), 1, [(some(5)[0].tolist(),)]),
         Group(Text("whole numbers", "整数の入力"), 1, [(whole,)]),
     ]

@@ -4,6 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from autograder.draws import until
 from autograder.exercise import Exercise, Group, Mistake
 from course.language import Text
 
@@ -27,6 +28,11 @@ def cases(rng):
         time = start + period * np.append(0, np.cumsum(cycles + stray))
         return time, counts(len(time)), float(period)
 
+    def unlike_a_grid(time, _, period):
+        """Are cycles that are counted from the start unlike those that are counted step by step?"""
+        steps = np.diff(time) / period
+        return np.any(np.rint(steps) != np.diff(np.rint((time - time[0]) / period)))
+
     def counts(rows):
         return rng.integers(20, 200, rows) * rng.choice([-1.0, 1.0], rows)
 
@@ -46,7 +52,7 @@ def cases(rng):
     whole = np.cumsum([rng.integers(50, 90), *(rng.permutation([1, 2, 3, 1]) * 10)]), rng.integers(20, 200, 5), 10
     listed = log(gaps(5))
     return [
-        Group(Text("gaps of a few cycles", "数周期の抜け"), 3, [log(gaps(8)), log(gaps(7))]),
+        Group(Text("gaps of a few cycles", "数周期の抜け"), 3, [until(lambda: log(gaps(8)), unlike_a_grid), log(gaps(7))]),
         Group(Text("most cycles lost", "ほとんどの周期が抜けたログ"), 1, [mostly]),
         Group(Text("a long gap", "長い抜け"), 1, [log(rng.permutation([1, 1, 2, rng.integers(20, 34), 1]))]),
         Group(Text("rows less than half a cycle apart", "間隔が周期の半分に満たない行"), 1, [early()]),
