@@ -369,12 +369,12 @@ _SOME_QUANTITIES = Text(
     "{wrong} の値が正しくありません({right} は合っています)。{wrong} を計算している行を、式と 1 文字ずつ見比べてみましょう。",
 )
 _ALL_QUANTITIES = Text(
-    "The numbers for {wrong} are not right. Take the first example from the text, compute it by hand, and compare step by step.",
-    "{wrong} の値が正しくありません。本文の最初の例を手で計算して、途中の値を 1 つずつ比べてみましょう。",
+    "The numbers for {wrong} are not right. Take the first example from the text or the docstring, compute it by hand, and compare step by step.",
+    "{wrong} の値が正しくありません。本文またはdocstringの最初の例を手で計算して、途中の値を 1 つずつ比べてみましょう。",
 )
 _NUMBERS = Text(
-    "The numbers are not right. Take the first example from the text, compute it by hand, and compare step by step.",
-    "値が正しくありません。本文の最初の例を手で計算して、途中の値を 1 つずつ比べてみましょう。",
+    "The numbers are not right. Take the first example from the text or the docstring, compute it by hand, and compare step by step.",
+    "値が正しくありません。本文またはdocstringの最初の例を手で計算して、途中の値を 1 つずつ比べてみましょう。",
 )
 _ONLY_FIRST = Text(" Only the first entry is wrong.", "違っているのは最初の要素だけです。")
 _ONLY_LAST = Text(" Only the last entry is wrong.", "違っているのは最後の要素だけです。")

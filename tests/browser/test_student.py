@@ -68,7 +68,10 @@ def run_cell(page: Page) -> None:
 @pytest.mark.parametrize(
     ("path", "exercise", "start", "answers", "told"),
     [
-        ("en/odometry/pose_update", "pose_step", "def pose_step(pose", (WRONG, RIGHT), "sin and cos are exchanged"),
+        pytest.param(
+            *("en/odometry/pose_update", "pose_step", "def pose_step(pose", (WRONG, RIGHT), "sin and cos are exchanged"),
+            marks=pytest.mark.slow,
+        ),
         ("ja/odometry/pose_update", "pose_step", "def pose_step(pose", (WRONG, RIGHT), "sin と cos が入れ替わっています"),
         (
             "en/odometry/wheel_odometry",
@@ -99,7 +102,7 @@ def test_answer_turns_the_check_green(page, lab, path, exercise, start, answers,
 @pytest.mark.parametrize(
     ("path", "view"),
     [
-        ("en/odometry/pose_update.ipynb", "step_view()"),
+        pytest.param("en/odometry/pose_update.ipynb", "step_view()", marks=pytest.mark.slow),
         ("ja/odometry/encoders.ipynb", "wheels_view()"),
         ("ja/odometry/frames.ipynb", "point_view()"),
     ],

@@ -172,6 +172,7 @@ def test_a_worker_that_is_killed_is_replaced_and_everybody_gets_what_they_deserv
     assert groups_of(grader.pids) == []
 
 
+@pytest.mark.slow
 def test_the_process_from_which_workers_come_may_be_killed(undisturbed, classroom):
     with Grader(classroom.root) as grader:
         grader.until_looping()
