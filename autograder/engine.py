@@ -112,7 +112,8 @@ def _streamed(pool: Pool, works: Iterator[Work], suspects: list[Work]) -> Genera
             if not under_way:
                 return False
             done, _ = wait(under_way, return_when=FIRST_COMPLETED)
-            for future in done:
+            # in the order in which they were begun, so that the same happens every time
+            for future in [future for future in under_way if future in done]:
                 work = under_way.pop(future)
                 try:
                     result = future.result()
